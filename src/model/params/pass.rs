@@ -73,6 +73,8 @@ pub(crate) struct JointPass {
     pub correction_max: Real,
     /// Whether this is the last iteration of the constraints in the substep.
     pub is_last_iteration: bool,
+    /// Whether it corrects positions. Otherwise it leads to zero relative velocity.
+    pub is_biased: bool,
 }
 
 impl JointPass {
@@ -84,6 +86,7 @@ impl JointPass {
             softness: params.joint_softness(substep),
             correction_max: params.max_joint_corrective_velocity(),
             is_last_iteration: true,
+            is_biased: true,
         }
     }
 

@@ -200,24 +200,25 @@ impl SolverJoints {
 
     /// Solves all joints once at the end-of-substep positions.
     pub fn solve(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
-        self.iterate::<true>(bodies, pass);
+        self.iterate(bodies, pass, true);
     }
 
     /// Solves all joints once at the current positions.
     pub fn relax(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
-        self.iterate::<false>(bodies, pass);
+        self.iterate(bodies, pass, false);
     }
 
-    fn iterate<const BIASED: bool>(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
-        let &SolverPass { joints: ref pass, simd, tasks, .. } = pass;
+    fn iterate(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>, is_biased: bool) {
+        let &SolverPass { joints, simd, tasks, .. } = pass;
+        let pass = &JointPass { is_biased, ..joints };
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
-            simd.run(Iterate::<BIASED> { range, parts, states, pass });
+            simd.run(Iterate { range, parts, states, pass });
         });
-        self.point_to_point.iterate::<BIASED>(states, pass, simd, tasks);
+        self.point_to_point.iterate(states, pass, simd, tasks);
         let Self { transmissions, blocks, rows, .. } = self;
-        if BIASED {
+        if is_biased {
             transmissions.begin_solve(rows, blocks, &mut bodies.states);
         } else {
             transmissions.begin_relax((blocks, rows), &mut bodies.states, simd);
@@ -227,14 +228,14 @@ impl SolverJoints {
             return;
         }
         self.direct.begin();
-        if BIASED {
+        if is_biased {
             let Self { jacobians, direct, geometric_stiffness, blocks, .. } = self;
             let test = stiffness_tests(geometric_stiffness, blocks, bodies, pass);
             direct.find_large_displacements(&mut jacobians.blocks, test);
         }
-        self.solve_exactly::<BIASED>(bodies, pass, simd, tasks);
-        while BIASED && self.needs_another_round(bodies, pass) {
-            self.solve_exactly::<BIASED>(bodies, pass, simd, tasks);
+        self.solve_exactly(bodies, pass, simd, tasks);
+        while is_biased && self.needs_another_round(bodies, pass) {
+            self.solve_exactly(bodies, pass, simd, tasks);
         }
     }
 
@@ -277,7 +278,8 @@ impl SolverJoints {
         mut add_work: impl FnMut(u32, Real),
         pass: &SolverPass<'_>,
     ) {
-        let &SolverPass { joints: ref pass, simd, tasks, .. } = pass;
+        let &SolverPass { joints, simd, tasks, .. } = pass;
+        let pass = &JointPass { is_biased: false, ..joints };
         if self.direct.is_empty() {
             return;
         }
@@ -287,7 +289,7 @@ impl SolverJoints {
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         let jacobians = self.jacobians.share();
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(WriteRows::<false> { range, parts, jacobians, states, pass });
+            simd.run(WriteRows { range, parts, jacobians, states, pass });
         });
         for (block, jacobians) in self.blocks.iter().zip(&mut self.jacobians.blocks) {
             jacobians.take_inertias(block, changes.poses);
@@ -350,7 +352,7 @@ impl SolverJoints {
     }
 
     /// Solves the axes of connected joints together.
-    fn solve_exactly<const BIASED: bool>(
+    fn solve_exactly(
         &mut self,
         bodies: &mut SolverBodies,
         pass: &JointPass,
@@ -359,13 +361,13 @@ impl SolverJoints {
     ) {
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         let Self { transmissions, jacobians, .. } = self;
-        transmissions.write_rows::<BIASED>(parts, jacobians, &bodies.states, pass, simd);
+        transmissions.write_rows(parts, jacobians, &bodies.states, pass, simd);
         let ((_, states), jacobians) = (bodies.shared(), jacobians.share());
         tasks.par_for(parts.blocks.len(), BLOCKS_PER_TASK, |range| {
-            simd.run(WriteRows::<BIASED> { range, parts, jacobians, states, pass });
+            simd.run(WriteRows { range, parts, jacobians, states, pass });
         });
         self.direct.solve(Rows::All, &mut self.jacobians, states, |_| true, simd, tasks);
-        let is_last = !BIASED && pass.is_last_iteration;
+        let is_last = !pass.is_biased && pass.is_last_iteration;
         self.finish_exactly(is_last, simd, tasks);
         let Self { transmissions, blocks, rows, jacobians, .. } = self;
         let last = is_last.then_some((bodies.states.as_slice(), pass.substep));
@@ -438,19 +440,19 @@ block_kernel! {
 
 block_kernel! {
     /// See [`passes::iterate`].
-    struct Iterate<'a, const BIASED: bool> {
+    struct Iterate<'a> {
         parts: Parts<'a>,
         states: DisjointMut<'a, BodyState>,
         pass: &'a JointPass,
     }
     |index| {
-        passes::iterate::<W, BIASED>(parts.blocks.get_mut(index), &parts.rows, &states, pass);
+        passes::iterate::<W>(parts.blocks.get_mut(index), &parts.rows, &states, pass);
     }
 }
 
 block_kernel! {
     /// See [`direct::write_rows`].
-    struct WriteRows<'a, const BIASED: bool> {
+    struct WriteRows<'a> {
         parts: Parts<'a>,
         jacobians: SharedJacobians<'a>,
         states: DisjointMut<'a, BodyState>,
@@ -463,7 +465,7 @@ block_kernel! {
             let (rows, driven) =
                 (parts.rows.range_mut(rows.clone()), jacobians.driven.range_mut(rows));
             let to = jacobians.blocks.get_mut(index);
-            direct::write_rows::<W, BIASED>(block, rows, to, driven, &states, pass);
+            direct::write_rows::<W>(block, rows, to, driven, &states, pass);
         }
     }
 }

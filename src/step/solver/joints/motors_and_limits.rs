@@ -102,15 +102,10 @@ pub(super) struct MotorLaw<W> {
 impl<W: Wide> MotorLaw<W> {
     /// Of a motor on an axis with this curvature (the rate that its velocities do not have yet).
     #[inline(always)]
-    pub fn new<const BIASED: bool>(
-        motor: &mut MotorRow,
-        axis: &FreeAxis<W>,
-        curvature: W,
-        pass: &JointPass,
-    ) -> Self {
+    pub fn new(motor: &mut MotorRow, axis: &FreeAxis<W>, curvature: W, pass: &JointPass) -> Self {
         let (h, one) = (W::splat(pass.substep), W::splat(1.0));
         let elongation = axis.position - W::load(&motor.target_pos);
-        if BIASED {
+        if pass.is_biased {
             elongation.store(&mut motor.stretch);
         }
         let per_mass = W::load(&motor.per_mass);
@@ -125,7 +120,8 @@ impl<W: Wide> MotorLaw<W> {
         };
         let square = h * spring * axis.effective;
         let others = Self::among_others([spring, damper, h, square], &stretch);
-        let alone = Self::alone::<BIASED>([spring, damper, h, square], axis.inverse, &stretch);
+        let mass = axis.inverse;
+        let alone = Self::alone([spring, damper, h, square], mass, &stretch, pass.is_biased);
         let is_alone = W::zero().lt(W::load(&motor.is_alone));
         let driven = damper * W::load(&motor.target_vel);
         Self {
@@ -148,16 +144,17 @@ impl<W: Wide> MotorLaw<W> {
 
     /// `g` and `p` of a spring that moves its bodies alone: the midpoint rule, or implicit if it is fast.
     #[inline(always)]
-    fn alone<const BIASED: bool>(
+    fn alone(
         [spring, damper, h, square]: [W; 4],
         mass: W,
         x: &Stretch<W>,
+        is_biased: bool,
     ) -> [W; 2] {
         let (one, half) = (W::splat(1.0), W::splat(0.5));
         let has_spring = W::zero().lt(spring);
         let implicit = W::select(has_spring, fade_in(square, MIDPOINT_SQUARE_MAX), one);
         let mean = one - implicit;
-        if BIASED {
+        if is_biased {
             let (ahead, late) = (half + half * implicit, mean * (damper + mass));
             let stretch = x.start + ahead * x.ahead;
             [damper + spring * ahead * h + late, spring * stretch - late * x.rate]
@@ -188,14 +185,14 @@ fn fade_in<W: Wide>(value: W, at: Real) -> W {
 
 /// Solves an iterated axis: the point of its law that an impulse leads to. Returns the change of the impulse.
 #[inline(always)]
-pub(super) fn solve_axis<W: Wide, const BIASED: bool>(
+pub(super) fn solve_axis<W: Wide>(
     row: &mut AxisRow,
     axis: &FreeAxis<W>,
     [rate, curvature]: [W; 2],
     is_translation: W::Mask,
     pass: &JointPass,
 ) -> W {
-    let law = MotorLaw::new::<BIASED>(&mut row.motor, axis, curvature, pass);
+    let law = MotorLaw::new(&mut row.motor, axis, curvature, pass);
     let is_alone = W::zero().lt(W::load(&row.motor.is_alone));
     let correction_rate = W::select(
         is_alone,
@@ -203,7 +200,7 @@ pub(super) fn solve_axis<W: Wide, const BIASED: bool>(
         W::splat(LIMIT_ERROR_FRACTION * pass.inv_substep),
     );
     let ([low, high], _) =
-        rate_limits::<W, BIASED>(row, axis.position, correction_rate, is_translation, pass);
+        rate_limits::<W>(row, axis.position, correction_rate, is_translation, pass);
     let old = impulse_of(row);
     let free = rate - axis.effective * old;
     let motor = -(law.damping * free + law.pull) / (W::splat(1.0) + law.damping * axis.effective);
@@ -230,7 +227,7 @@ pub(super) fn impulse_of<W: Wide>(row: &AxisRow) -> W {
 /// The lowest and the highest rate that the limits allow an axis, and the parts of these that correct an
 /// exceeded limit, with this rate per error.
 #[inline(always)]
-pub(super) fn rate_limits<W: Wide, const BIASED: bool>(
+pub(super) fn rate_limits<W: Wide>(
     row: &AxisRow,
     position: W,
     correction_rate: W,
@@ -248,7 +245,7 @@ pub(super) fn rate_limits<W: Wide, const BIASED: bool>(
         let is_apart = zero.lt(apart);
         let correction = distances[side] * correction_rate;
         let correction = correction.min(correction_max).max(-correction_max);
-        let held = if BIASED { correction } else { zero };
+        let held = if pass.is_biased { correction } else { zero };
         rates[side] = W::select(is_apart, apart * W::splat(pass.inv_substep), held);
         corrections[side] = W::select(is_apart, zero, correction);
     }

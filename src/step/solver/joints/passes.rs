@@ -179,13 +179,13 @@ unsafe fn wrench_of<W: Wide, const N: usize>(
     wrench
 }
 
-/// Solves all rows of iterated joints once: free axes, then locked ones. `BIASED`: with bias; otherwise
-/// towards zero relative velocity. The rows of direct joints are prepared.
+/// Solves all rows of iterated joints once: free axes, then locked ones. The rows of direct joints
+/// are prepared.
 ///
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies, and to its rows.
 #[inline(always)]
-pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
+pub(super) unsafe fn iterate<W: Wide>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
@@ -195,8 +195,8 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     unsafe {
         // Without locked rotations the results are equal, for half of the work.
         match block.locks_rotations {
-            true => iterate_rows::<W, BIASED, SPATIAL_DIM>(block, rows, states, pass),
-            false => iterate_rows::<W, BIASED, DIM>(block, rows, states, pass),
+            true => iterate_rows::<W, SPATIAL_DIM>(block, rows, states, pass),
+            false => iterate_rows::<W, DIM>(block, rows, states, pass),
         }
     }
 }
@@ -206,7 +206,7 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
 /// # Safety
 /// As [`iterate`].
 #[inline(always)]
-unsafe fn iterate_rows<W: Wide, const BIASED: bool, const N: usize>(
+unsafe fn iterate_rows<W: Wide, const N: usize>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
@@ -215,14 +215,14 @@ unsafe fn iterate_rows<W: Wide, const BIASED: bool, const N: usize>(
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     let geometry = Geometry::new(block, &bodies.displacements);
-    if !BIASED {
+    if !pass.is_biased {
         block.inertias.rotate(&bodies.displacements);
     }
     let masses = Masses::load(block);
     let locked = Locked::<W, N>::new(block, &geometry);
 
     let mut wrench = Wrench::load(&block.applied);
-    if BIASED {
+    if pass.is_biased {
         // SAFETY: the caller's promise.
         let turned = unsafe {
             clear_stiff::<W>(block, rows);
@@ -232,25 +232,25 @@ unsafe fn iterate_rows<W: Wide, const BIASED: bool, const N: usize>(
         wrench = turned;
     }
     let before = wrench;
-    if block.is_exact && !BIASED {
+    if block.is_exact && !pass.is_biased {
         // SAFETY: the caller's promise; the block's rows are in range.
         let rows = unsafe { rows.range_mut(block.axis_rows()) };
         locked.note_responses(rows, &geometry, &masses);
     }
     if !block.is_exact {
         let coupling = locked.coupling(&masses);
-        let has_curvature = BIASED && block.has_distances;
+        let has_curvature = pass.is_biased && block.has_distances;
         let substep_end = has_curvature.then(|| SubstepEnd::new(block, &bodies, pass));
         let (masses, locked, substep_end) = (&masses, &locked, substep_end.as_ref());
         let joint = JointNow { geometry: &geometry, substep_end, masses, locked, coupling };
         // SAFETY: the caller's promise.
-        let added = unsafe { solve_axes::<W, BIASED, N>(block, rows, &joint, &mut bodies, pass) };
+        let added = unsafe { solve_axes::<W, N>(block, rows, &joint, &mut bodies, pass) };
         wrench = wrench.plus(&added);
     }
 
     wrench.store(&mut block.applied);
     note_angvel_change(block, masses.angvel_change(&wrench.minus(&before)));
-    if !BIASED && pass.is_last_iteration {
+    if !pass.is_biased && pass.is_last_iteration {
         add_to_totals(block, &geometry, &wrench);
         store_couple(block, &locked.rows);
     }
@@ -311,7 +311,7 @@ struct JointNow<'a, W, const N: usize> {
 /// # Safety
 /// The caller has exclusive access to the block's rows.
 #[inline(always)]
-unsafe fn solve_axes<W: Wide, const BIASED: bool, const N: usize>(
+unsafe fn solve_axes<W: Wide, const N: usize>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     joint: &JointNow<'_, W, N>,
@@ -324,13 +324,13 @@ unsafe fn solve_axes<W: Wide, const BIASED: bool, const N: usize>(
         for index in block.axis_rows() {
             // SAFETY: the caller's promise; the block's rows are in range.
             let row = unsafe { rows.get_mut(index) };
-            let added = solve_free::<W, BIASED, N>(row, block, joint, &factored, bodies, pass);
+            let added = solve_free::<W, N>(row, block, joint, &factored, bodies, pass);
             bodies.velocities = joint.masses.push(&added, bodies.velocities);
             wrench = wrench.plus(&added);
         }
         matrix = Some(factored);
     }
-    let added = solve_locked::<W, BIASED, N>(block, joint, matrix.as_ref(), bodies);
+    let added = solve_locked(block, joint, matrix.as_ref(), bodies, pass.is_biased);
     bodies.velocities = joint.masses.push(&added, bodies.velocities);
     wrench.plus(&added)
 }
@@ -341,7 +341,7 @@ unsafe fn solve_axes<W: Wide, const BIASED: bool, const N: usize>(
 /// own row `J` moves the bodies as the joint allows. Its effective mass is the true load of the motor, and no
 /// iteration between the two is necessary.
 #[inline(always)]
-fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
+fn solve_free<W: Wide, const N: usize>(
     row: &mut AxisRow,
     block: &mut JointBlock,
     joint: &JointNow<'_, W, N>,
@@ -361,7 +361,7 @@ fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
         let is_translation = SubstepEnd::is_translation(&along);
         curvature = W::select(is_translation, of_distance, curvature);
     }
-    if !BIASED {
+    if !pass.is_biased {
         position.store(&mut row.position);
     }
     for (locked, fraction) in joint.locked.rows.iter().zip(fractions) {
@@ -371,8 +371,8 @@ fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
     let axis = FreeAxis::new(position, effective);
     let rate = along.rate(&bodies.velocities);
     let is_translation = SubstepEnd::is_translation(&along);
-    let added = solve_axis::<W, BIASED>(row, &axis, [rate, curvature], is_translation, pass);
-    if !BIASED && pass.is_last_iteration {
+    let added = solve_axis::<W>(row, &axis, [rate, curvature], is_translation, pass);
+    if !pass.is_biased && pass.is_last_iteration {
         (rate + effective * added).store(&mut row.motor.rate);
     }
     for (impulse, fraction) in block.impulses.iter_mut().zip(fractions) {
@@ -386,14 +386,15 @@ fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
 /// Solves all locked axes together; returns the changes. The `matrix` is the one without compliance, if it is
 /// known.
 #[inline(always)]
-fn solve_locked<W: Wide, const BIASED: bool, const N: usize>(
+fn solve_locked<W: Wide, const N: usize>(
     block: &mut JointBlock,
     joint: &JointNow<'_, W, N>,
     matrix: Option<&Factored<W, N>>,
     bodies: &Bodies<W>,
+    is_biased: bool,
 ) -> Wrench<W> {
     let (Locked { rows, locked, .. }, mut coupling) = (joint.locked, joint.coupling);
-    let mut wanted = if BIASED {
+    let mut wanted = if is_biased {
         rates_with_bias(block, joint.locked, bodies)
     } else {
         rates_here(block, rows, bodies)
@@ -401,11 +402,11 @@ fn solve_locked<W: Wide, const BIASED: bool, const N: usize>(
     for k in 0..N {
         wanted[k] = wanted[k] * locked[k];
     }
-    let is_rigid = !(BIASED || block.has_springs);
+    let is_rigid = !(is_biased || block.has_springs);
     let change = if let (true, Some(matrix)) = (is_rigid, matrix) {
         matrix.solve(wanted)
     } else {
-        let compliance = compliance_of::<W, BIASED>(block);
+        let compliance = compliance_of::<W>(block, is_biased);
         for k in 0..N {
             let soft = coupling[k][k] * compliance * locked[k];
             coupling[k][k] = coupling[k][k] + soft;
@@ -457,9 +458,9 @@ pub(super) fn rates_here<W: Wide, const N: usize>(
 
 /// The compliance of the rows in a pass: in the relax pass only springs have any.
 #[inline(always)]
-pub(super) fn compliance_of<W: Wide, const BIASED: bool>(block: &JointBlock) -> W {
+pub(super) fn compliance_of<W: Wide>(block: &JointBlock, is_biased: bool) -> W {
     let compliance = W::load(&block.compliance);
-    if BIASED { compliance } else { compliance * W::load(&block.is_spring) }
+    if is_biased { compliance } else { compliance * W::load(&block.is_spring) }
 }
 
 /// Adds a substep's impulse, and its moment about the second anchor, to those of the step.

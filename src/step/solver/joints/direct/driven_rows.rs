@@ -60,7 +60,7 @@ impl DrivenRow {
 
 /// Computes the driven rows of a block, and their laws.
 #[inline(always)]
-pub(super) fn write_driven<'a, W: Wide, const BIASED: bool>(
+pub(super) fn write_driven<'a, W: Wide>(
     memory: &JacobianBlock,
     rows: impl Iterator<Item = (&'a mut AxisRow, &'a mut DrivenRow)>,
     moment: &Moment<'_, W>,
@@ -89,7 +89,7 @@ pub(super) fn write_driven<'a, W: Wide, const BIASED: bool>(
         store_row(&along, &mut to.row);
         rate.store(&mut to.rate);
         let axis = AxisNow { position, curvature, is_translation };
-        write_law::<W, BIASED>(memory, row, to, &axis, pass);
+        write_law::<W>(memory, row, to, &axis, pass);
     }
 }
 
@@ -104,7 +104,7 @@ pub(in super::super) struct AxisNow<W: Wide> {
 
 /// Computes the law of a row.
 #[inline(always)]
-pub(in super::super) fn write_law<W: Wide, const BIASED: bool>(
+pub(in super::super) fn write_law<W: Wide>(
     memory: &JacobianBlock,
     row: &mut AxisRow,
     to: &mut DrivenRow,
@@ -113,11 +113,11 @@ pub(in super::super) fn write_law<W: Wide, const BIASED: bool>(
 ) {
     let &AxisNow { position, curvature, is_translation } = now;
     let axis = FreeAxis::new(position, W::load(&row.response));
-    let law = MotorLaw::new::<BIASED>(&mut row.motor, &axis, curvature, pass);
+    let law = MotorLaw::new(&mut row.motor, &axis, curvature, pass);
     let correction_rate = W::splat(EXACT_LIMIT_ERROR_FRACTION * pass.inv_substep);
     let ([low, high], corrections) =
-        rate_limits::<W, BIASED>(row, position, correction_rate, is_translation, pass);
-    let apart = if BIASED { W::load(&memory.is_corrected_apart) } else { W::zero() };
+        rate_limits::<W>(row, position, correction_rate, is_translation, pass);
+    let apart = if pass.is_biased { W::load(&memory.is_corrected_apart) } else { W::zero() };
     law.damping.store(&mut to.damping);
     law.pull.store(&mut to.pull);
     law.bound.store(&mut to.bound);

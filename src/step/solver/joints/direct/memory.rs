@@ -167,7 +167,7 @@ impl ImpactImpulse {
 /// # Safety
 /// No other thread writes the states of the block's bodies.
 #[inline(always)]
-pub(in super::super) unsafe fn write_rows<W: Wide, const BIASED: bool>(
+pub(in super::super) unsafe fn write_rows<W: Wide>(
     block: &mut JointBlock,
     axis_rows: &mut [AxisRow],
     to: &mut JacobianBlock,
@@ -178,15 +178,15 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const BIASED: bool>(
     // SAFETY: the caller's promise.
     let bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     let now = Geometry::new(block, &bodies.displacements);
-    let substep_end = if BIASED { Some(SubstepEnd::new(block, &bodies, pass)) } else { None };
+    let substep_end = pass.is_biased.then(|| SubstepEnd::new(block, &bodies, pass));
     let moment = Moment { bodies, now, substep_end, pass };
     match block.locks_rotations {
-        true => write_locked::<W, BIASED, SPATIAL_DIM>(block, to, &moment),
-        false => write_locked::<W, BIASED, DIM>(block, to, &moment),
+        true => write_locked::<W, SPATIAL_DIM>(block, to, &moment),
+        false => write_locked::<W, DIM>(block, to, &moment),
     }
     to.first_row = block.first_row;
     if block.row_count > 0 {
-        write_driven::<W, BIASED>(to, axis_rows.iter_mut().zip(driven), &moment);
+        write_driven::<W>(to, axis_rows.iter_mut().zip(driven), &moment);
     }
 }
 
@@ -201,7 +201,7 @@ pub(super) struct Moment<'a, W> {
 
 /// Computes the locked rows of a block whose first `N` axes alone may be locked.
 #[inline(always)]
-fn write_locked<W: Wide, const BIASED: bool, const N: usize>(
+fn write_locked<W: Wide, const N: usize>(
     block: &mut JointBlock,
     memory: &mut JacobianBlock,
     moment: &Moment<'_, W>,
@@ -224,7 +224,7 @@ fn write_locked<W: Wide, const BIASED: bool, const N: usize>(
         W::load(&block.impulses[k]).store(&mut memory.impulses[k]);
         store_row(&rows[k], &mut memory.rows[k]);
     }
-    compliance_of::<W, BIASED>(block).store(&mut memory.compliance);
+    compliance_of::<W>(block, moment.pass.is_biased).store(&mut memory.compliance);
     (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
 }
 

@@ -73,6 +73,7 @@ pub(super) struct PointToPointPass {
     mass_scale: Real,
     impulse_scale: Real,
     is_last_iteration: bool,
+    is_biased: bool,
 }
 
 impl PointToPointPass {
@@ -84,6 +85,7 @@ impl PointToPointPass {
             mass_scale,
             impulse_scale: compliance * mass_scale,
             is_last_iteration: pass.is_last_iteration,
+            is_biased: pass.is_biased,
         }
     }
 }
@@ -163,12 +165,12 @@ pub(super) unsafe fn warm_start<W: Wide>(
     unsafe { bodies.scatter(states, &block.bodies) };
 }
 
-/// Solves the joints once: with bias (`BIASED`), otherwise towards zero relative velocity.
+/// Solves the joints once: with bias, or towards zero relative velocity.
 ///
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
-pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
+pub(super) unsafe fn iterate<W: Wide>(
     block: &mut PointToPointBlock,
     states: &DisjointMut<BodyState>,
     pass: &PointToPointPass,
@@ -176,7 +178,7 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     let [d1, d2] = bodies.displacements;
-    if !BIASED {
+    if !pass.is_biased {
         block.inertias.rotate(&bodies.displacements);
     }
     let masses = Masses::load(block);
@@ -184,7 +186,7 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     let arms = [d1.rotation().rotate(old[0]), d2.rotation().rotate(old[1])];
     let impulse = WideVector::<W>::load(&block.impulse);
     let mut turned = [load_ang::<W>(&block.turned[0]), load_ang(&block.turned[1])];
-    if BIASED {
+    if pass.is_biased {
         // The bodies already have the last substep's impulse; moment arms and inertias have rotated since.
         let now = masses.turned(moments_of(&arms, impulse));
         for side in 0..2 {
@@ -196,7 +198,7 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     let [v1, v2] = &bodies.velocities;
     let mut rate =
         (v2.linear - v1.linear) + (cross(v2.angular, arms[1]) - cross(v1.angular, arms[0]));
-    if BIASED {
+    if pass.is_biased {
         let separation = WideVector::load(&block.separation)
             + (d2.linear - d1.linear)
             + ((arms[1] - old[1]) - (arms[0] - old[0]));
@@ -204,7 +206,7 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
         rate = rate + separation * bias_rate;
     }
     let mut change = -masses.solve(&arms, rate);
-    if BIASED {
+    if pass.is_biased {
         change = change * W::splat(pass.mass_scale) - impulse * W::splat(pass.impulse_scale);
     }
     let added = masses.turned(moments_of(&arms, change));
@@ -212,7 +214,7 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     let impulse = impulse + change;
     impulse.store(&mut block.impulse);
     store_turned([turned[0] + added[0], turned[1] + added[1]], block);
-    if !BIASED && pass.is_last_iteration {
+    if !pass.is_biased && pass.is_last_iteration {
         (WideVector::load(&block.total) + impulse).store(&mut block.total);
     }
     // SAFETY: the caller's promise.

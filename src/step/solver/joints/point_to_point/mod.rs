@@ -108,8 +108,8 @@ impl PointToPointJoints {
         self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
     }
 
-    /// Solves all joints once: with bias (`BIASED`), or towards zero relative velocity.
-    pub fn iterate<const BIASED: bool>(
+    /// Solves all joints once: with bias, or towards zero relative velocity.
+    pub fn iterate(
         &mut self,
         states: DisjointMut<'_, BodyState>,
         pass: &JointPass,
@@ -119,7 +119,7 @@ impl PointToPointJoints {
         let pass = PointToPointPass::new(pass);
         let blocks = DisjointMut::new(&mut self.blocks);
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
-            simd.run(Iterate::<BIASED> { range, blocks, states, pass });
+            simd.run(Iterate { range, blocks, states, pass });
         });
     }
 
@@ -173,12 +173,12 @@ block_kernel! {
 
 block_kernel! {
     /// See [`block::iterate`].
-    struct Iterate<'a, const BIASED: bool> {
+    struct Iterate<'a> {
         blocks: DisjointMut<'a, PointToPointBlock>,
         states: DisjointMut<'a, BodyState>,
         pass: PointToPointPass,
     }
-    |index| block::iterate::<W, BIASED>(blocks.get_mut(index), &states, &pass)
+    |index| block::iterate::<W>(blocks.get_mut(index), &states, &pass)
 }
 
 block_kernel! {

@@ -196,7 +196,7 @@ impl Transmissions {
     }
 
     /// Computes the rows and the laws of a pass.
-    pub(super) fn write_rows<const BIASED: bool>(
+    pub(super) fn write_rows(
         &mut self,
         parts: Parts<'_>,
         jacobians: &mut Jacobians,
@@ -209,15 +209,15 @@ impl Transmissions {
         }
         for index in 0..self.list.len() {
             let place = self.place(index);
-            self.write_row::<BIASED>(index, place, parts, jacobians, states, pass);
+            self.write_row(index, place, parts, jacobians, states, pass);
         }
         let (first, curvatures) = (self.first, &self.curvatures);
         let range = 0..curvatures.len();
         let jacobians = jacobians.share();
-        simd.run(WriteLaws::<BIASED> { range, first, parts, jacobians, curvatures, pass });
+        simd.run(WriteLaws { range, first, parts, jacobians, curvatures, pass });
     }
 
-    fn write_row<const BIASED: bool>(
+    fn write_row(
         &mut self,
         index: usize,
         Place { block, row, lane }: Place,
@@ -231,7 +231,7 @@ impl Transmissions {
         let (to, driven) = (&mut jacobians.blocks[block], &mut jacobians.driven[row]);
         let mut used = constraint.now;
         let mut curvature = 0.0;
-        if BIASED {
+        if pass.is_biased {
             let predicted = constraint.predicted_ends(states, pass.substep);
             let linear_rate = rate(&constraint.now, velocities);
             let whole_rate = (sum(&predicted) - sum(&constraint.now)) * pass.inv_substep;
@@ -347,7 +347,7 @@ block_kernel! {
 
 block_kernel! {
     /// Computes the laws of the rows of a block.
-    struct WriteLaws<'a, const BIASED: bool> {
+    struct WriteLaws<'a> {
         first: [usize; 2],
         parts: Parts<'a>,
         jacobians: SharedJacobians<'a>,
@@ -364,6 +364,6 @@ block_kernel! {
             curvature: W::load(&curvatures[index]),
             is_translation: W::splat(0.5).lt(direction.dot(direction)),
         };
-        write_law::<W, BIASED>(memory, row, to, &now, pass);
+        write_law::<W>(memory, row, to, &now, pass);
     }
 }
