@@ -445,9 +445,7 @@ block_kernel! {
         states: DisjointMut<'a, BodyState>,
         pass: &'a JointPass,
     }
-    |index| {
-        passes::iterate::<W>(parts.blocks.get_mut(index), &parts.rows, &states, pass);
-    }
+    |index| passes::iterate::<W>(parts.blocks.get_mut(index), &parts.rows, &states, pass)
 }
 
 block_kernel! {
