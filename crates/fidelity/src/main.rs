@@ -7,7 +7,8 @@
 //!
 //! Tables of an earlier run of the tests serve as well:
 //!
-//!     FIDELITY_TABLES=/tmp/tables cargo test
+//!     FIDELITY_TABLES=/tmp/tables cargo test -p rapier2d -p rapier2d-f64 -p rapier3d -p rapier3d-f64 \
+//!         --test suite
 //!     cargo run -p fidelity -- /tmp/tables
 
 mod area;

@@ -5,7 +5,7 @@
 use fuzzer::findings::search;
 use fuzzer::{CRATES, random_bytes};
 
-/// Number of operations for each crate: some 20 seconds. `.ci/deep operations` applies more.
+/// Number of operations for each crate: some 20 seconds. The program applies more.
 const OPERATIONS: usize = 50_000;
 /// Length of a string of bytes: a world with some hundred operations.
 const BYTES: usize = 2000;

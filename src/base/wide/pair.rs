@@ -67,8 +67,8 @@ pub trait Half: Copy {
 
 /// Functions of registers that return one.
 ///
-/// A test build for x86-64 calls them. It computes with AVX2 and needs this module for comparisons alone:
-/// inlined, they take a fifth of the engine's compile time.
+/// A test build for x86-64 calls them. It solves with AVX2, and needs this module for single bodies and
+/// boxes and for comparisons: inlined, they take a fifth of the engine's compile time.
 macro_rules! arithmetic {
     ($(fn $name:ident($($argument:tt)*) -> Self $body:block)*) => {$(
         #[cfg_attr(all(debug_assertions, target_arch = "x86_64"), inline(never))]

@@ -106,8 +106,14 @@ impl Softness {
     #[inline]
     pub fn new(fraction: Real, compliance: Real, substep: Real) -> Self {
         let bias_rate = if substep > 0.0 { fraction / substep } else { 0.0 };
+        Self { bias_rate, ..Self::RIGID }.with_compliance(compliance)
+    }
+
+    /// The softness that removes the same fraction, with another compliance.
+    #[inline]
+    pub(crate) fn with_compliance(self, compliance: Real) -> Self {
         let mass_scale = 1.0 / (1.0 + compliance);
-        Self { bias_rate, mass_scale, impulse_scale: compliance * mass_scale }
+        Self { mass_scale, impulse_scale: compliance * mass_scale, ..self }
     }
 
     /// The compliance `σ` from which [`Self::new`] made this.

@@ -242,9 +242,9 @@ unsafe fn iterate_rows<W: Wide, const N: usize>(
         let has_curvature = pass.is_biased && block.has_distances;
         let substep_end = has_curvature.then(|| SubstepEnd::new(block, &bodies, pass));
         let (masses, locked, substep_end) = (&masses, &locked, substep_end.as_ref());
-        let joint = JointNow { geometry: &geometry, substep_end, masses, locked, coupling };
+        let joint = JointNow { geometry: &geometry, substep_end, masses, locked, coupling, pass };
         // SAFETY: the caller's promise.
-        let added = unsafe { solve_axes::<W, N>(block, rows, &joint, &mut bodies, pass) };
+        let added = unsafe { solve_axes(block, rows, &joint, &mut bodies) };
         wrench = wrench.plus(&added);
     }
 
@@ -304,6 +304,7 @@ struct JointNow<'a, W, const N: usize> {
     locked: &'a Locked<W, N>,
     /// `K_ll`, the matrix of the locked axes.
     coupling: [[W; N]; N],
+    pass: &'a JointPass,
 }
 
 /// Solves free axes, then locked ones; returns the changes.
@@ -316,7 +317,6 @@ unsafe fn solve_axes<W: Wide, const N: usize>(
     rows: &DisjointMut<AxisRow>,
     joint: &JointNow<'_, W, N>,
     bodies: &mut Bodies<W>,
-    pass: &JointPass,
 ) -> Wrench<W> {
     let (mut wrench, mut matrix) = (Wrench::zero(), None);
     if block.row_count > 0 {
@@ -324,13 +324,13 @@ unsafe fn solve_axes<W: Wide, const N: usize>(
         for index in block.axis_rows() {
             // SAFETY: the caller's promise; the block's rows are in range.
             let row = unsafe { rows.get_mut(index) };
-            let added = solve_free::<W, N>(row, block, joint, &factored, bodies, pass);
+            let added = solve_free(row, block, joint, &factored, bodies);
             bodies.velocities = joint.masses.push(&added, bodies.velocities);
             wrench = wrench.plus(&added);
         }
         matrix = Some(factored);
     }
-    let added = solve_locked(block, joint, matrix.as_ref(), bodies, pass.is_biased);
+    let added = solve_locked(block, joint, matrix.as_ref(), bodies);
     bodies.velocities = joint.masses.push(&added, bodies.velocities);
     wrench.plus(&added)
 }
@@ -347,8 +347,8 @@ fn solve_free<W: Wide, const N: usize>(
     joint: &JointNow<'_, W, N>,
     matrix: &Factored<W, N>,
     bodies: &Bodies<W>,
-    pass: &JointPass,
 ) -> Wrench<W> {
+    let pass = joint.pass;
     let (mut along, position) = joint.geometry.free_row(row);
     let fractions = joint.locked.reactions_of(&along, joint.masses, matrix);
     let mut curvature = W::zero();
@@ -391,9 +391,9 @@ fn solve_locked<W: Wide, const N: usize>(
     joint: &JointNow<'_, W, N>,
     matrix: Option<&Factored<W, N>>,
     bodies: &Bodies<W>,
-    is_biased: bool,
 ) -> Wrench<W> {
     let (Locked { rows, locked, .. }, mut coupling) = (joint.locked, joint.coupling);
+    let is_biased = joint.pass.is_biased;
     let mut wanted = if is_biased {
         rates_with_bias(block, joint.locked, bodies)
     } else {

@@ -10,7 +10,7 @@ use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideRotation, WideSymmetric, WideVector, ang_lane, cross,
     load_ang, mul_inertia, set_ang_lane, store_ang, torque,
 };
-use crate::model::params::JointPass;
+use crate::model::params::{JointPass, Softness};
 use crate::step::solver::states::{Bodies, gather_states};
 
 /// The least compliance of point-to-point joints: half that of other iterated joints. With a quarter of it, a
@@ -66,28 +66,10 @@ impl PointToPointBlock {
     }
 }
 
-/// The softness of all point-to-point joints of a substep.
-#[derive(Copy, Clone)]
-pub(super) struct PointToPointPass {
-    bias_rate: Real,
-    mass_scale: Real,
-    impulse_scale: Real,
-    is_last_iteration: bool,
-    is_biased: bool,
-}
-
-impl PointToPointPass {
-    pub fn new(pass: &JointPass) -> Self {
-        let compliance = pass.softness.compliance().max(POINT_COMPLIANCE);
-        let mass_scale = 1.0 / (1.0 + compliance);
-        Self {
-            bias_rate: pass.softness.bias_rate,
-            mass_scale,
-            impulse_scale: compliance * mass_scale,
-            is_last_iteration: pass.is_last_iteration,
-            is_biased: pass.is_biased,
-        }
-    }
+/// The pass with the softness of point-to-point joints.
+pub(super) fn softened(pass: &JointPass) -> JointPass {
+    let compliance = pass.softness.compliance().max(POINT_COMPLIANCE);
+    JointPass { softness: pass.softness.with_compliance(compliance), ..*pass }
 }
 
 /// The inverse masses of a block's bodies.
@@ -173,7 +155,7 @@ pub(super) unsafe fn warm_start<W: Wide>(
 pub(super) unsafe fn iterate<W: Wide>(
     block: &mut PointToPointBlock,
     states: &DisjointMut<BodyState>,
-    pass: &PointToPointPass,
+    pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
@@ -202,12 +184,13 @@ pub(super) unsafe fn iterate<W: Wide>(
         let separation = WideVector::load(&block.separation)
             + (d2.linear - d1.linear)
             + ((arms[1] - old[1]) - (arms[0] - old[0]));
-        let bias_rate = W::splat(pass.bias_rate) * W::load(&block.bias_scale);
+        let bias_rate = W::splat(pass.softness.bias_rate) * W::load(&block.bias_scale);
         rate = rate + separation * bias_rate;
     }
     let mut change = -masses.solve(&arms, rate);
     if pass.is_biased {
-        change = change * W::splat(pass.mass_scale) - impulse * W::splat(pass.impulse_scale);
+        let Softness { mass_scale, impulse_scale, .. } = pass.softness;
+        change = change * W::splat(mass_scale) - impulse * W::splat(impulse_scale);
     }
     let added = masses.turned(moments_of(&arms, change));
     masses.push(change, &added, &mut bodies.velocities);

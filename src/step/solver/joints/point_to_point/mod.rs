@@ -31,7 +31,7 @@ use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
 use crate::model::params::JointPass;
 use crate::step::solver::blocks::{Layout, block_kernel, for_each_color};
 use crate::step::solver::joint_rules::is_overloaded;
-use block::{PointToPointBlock, PointToPointPass};
+use block::PointToPointBlock;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 /// All point-to-point joints of a step.
@@ -116,7 +116,7 @@ impl PointToPointJoints {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        let pass = PointToPointPass::new(pass);
+        let pass = &block::softened(pass);
         let blocks = DisjointMut::new(&mut self.blocks);
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(Iterate { range, blocks, states, pass });
@@ -176,9 +176,9 @@ block_kernel! {
     struct Iterate<'a> {
         blocks: DisjointMut<'a, PointToPointBlock>,
         states: DisjointMut<'a, BodyState>,
-        pass: PointToPointPass,
+        pass: &'a JointPass,
     }
-    |index| block::iterate::<W>(blocks.get_mut(index), &states, &pass)
+    |index| block::iterate::<W>(blocks.get_mut(index), &states, pass)
 }
 
 block_kernel! {
