@@ -159,8 +159,11 @@ impl Step<'_> {
             return;
         }
         let StepScratch { notes, solver: scratch, simd, .. } = self.scratch;
+        let pace = structure.islands.pace.begin(params.dt);
+        let settings =
+            SolverSettings { gravity: *gravity, params, pace, simd: *simd, tasks: self.tasks };
         let context = SolverContext {
-            settings: SolverSettings { gravity: *gravity, params, simd: *simd, tasks: self.tasks },
+            settings,
             bodies: structure.bodies,
             narrow_phase: structure.narrow_phase,
             joints,

@@ -8,6 +8,7 @@ pub mod table;
 
 mod bounce;
 mod carriers;
+mod changing_steps;
 mod determinism;
 mod fall;
 mod friction;

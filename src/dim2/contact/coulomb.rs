@@ -18,7 +18,11 @@ impl CoulombBlock {
     pub fn scale_impulses(&mut self, _factors: &Lane) {}
 
     /// No impulses: the manifold has one as a whole. (Points of links have some, whatever the dimension.)
-    pub fn store_impulses<W: Wide>(&self, impulses: &mut [[Lane; 1]; MAX_MANIFOLD_POINTS]) {
+    pub fn store_impulses<W: Wide>(
+        &self,
+        impulses: &mut [[Lane; 1]; MAX_MANIFOLD_POINTS],
+        _withheld: W,
+    ) {
         *impulses = Default::default();
     }
 }

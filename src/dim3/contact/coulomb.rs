@@ -44,12 +44,18 @@ impl CoulombBlock {
             MAX_MANIFOLD_POINTS],
     );
 
-    /// Stores the warm-start impulses of the points; impulses that are not finite become zero.
+    /// Stores the warm-start impulses of the points, with these shares of the last ones. Impulses that are
+    /// not finite become zero.
     #[inline(always)]
-    pub fn store_impulses<W: Wide>(&self, impulses: &mut [[Lane; 2]; MAX_MANIFOLD_POINTS]) {
+    pub fn store_impulses<W: Wide>(
+        &self,
+        impulses: &mut [[Lane; 2]; MAX_MANIFOLD_POINTS],
+        withheld: W,
+    ) {
         let zero = W::zero();
         for (rows, kept) in self.0.iter().zip(impulses) {
-            let (x, y) = (W::load(&rows.impulse[0]), W::load(&rows.impulse[1]));
+            let x = W::load(&rows.impulse[0]) + W::load(&kept[0]) * withheld;
+            let y = W::load(&rows.impulse[1]) + W::load(&kept[1]) * withheld;
             let is_sound = (zero * (x + y)).le(zero);
             W::select(is_sound, x, zero).store(&mut kept[0]);
             W::select(is_sound, y, zero).store(&mut kept[1]);

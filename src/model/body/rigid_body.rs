@@ -56,6 +56,8 @@ pub struct RigidBody {
     pub(crate) soft_ccd_prediction: Real,
     /// Length (s) of the substeps that computed the impulses of its contacts and joints; 0 without impulses.
     pub(crate) substep: Real,
+    /// The length of substeps for which its contacts store their impulses, over that ([`StepPace`]).
+    pub(crate) reference_ratio: Real,
     pub(crate) activation: RigidBodyActivation,
     pub(crate) changes: RigidBodyChanges,
     /// Positions of the body in the step's lists.
@@ -108,6 +110,7 @@ clone_in_place!(RigidBody {
     thickness,
     soft_ccd_prediction,
     substep,
+    reference_ratio,
     activation,
     changes,
     link,
@@ -150,9 +153,12 @@ impl Loaded for RigidBody {
         ensure!(are_right, "gravity scale and damping of a body: {numbers:?}");
         let iterations = self.additional_solver_iterations;
         ensure!(iterations <= ITERATIONS_MAX, "a body has {iterations} additional iterations");
-        let lengths = [self.extent, self.soft_ccd_prediction, self.substep];
+        let lengths = [self.extent, self.soft_ccd_prediction, self.substep, self.reference_ratio];
         let are_lengths = lengths.iter().all(|length| length.is_finite() && *length >= 0.0);
-        ensure!(are_lengths, "extent, soft-CCD prediction and substep: {lengths:?}");
+        ensure!(
+            are_lengths,
+            "extent, soft-CCD prediction, substep and ratio to its reference: {lengths:?}"
+        );
         ensure!(self.thickness >= 0.0, "a body has the thickness {}", self.thickness);
         ensure!(self.rest.is_sound(), "a body has drifted from {:?}", self.rest);
         ensure!(self.mprops.is_valid(), "a body has the mass {:?}", self.mprops);
@@ -202,6 +208,7 @@ impl RigidBody {
             soft_ccd_prediction: 0.0,
             additional_solver_iterations: 0,
             substep: 0.0,
+            reference_ratio: 1.0,
             colliders: AttachedColliders::new(),
             push: (Vector::ZERO, ANG_ZERO),
             edit: EditMark::default(),

@@ -4,6 +4,7 @@ use super::awake::AwakeBodies;
 use super::groups::BodyGroups;
 use super::link::NONE;
 use super::motion::BodyMotion;
+use super::pace::Pace;
 use crate::base::fault::{Fault, ensure};
 use crate::base::id_set::IdSet;
 use crate::base::in_place::clone_in_place;
@@ -56,6 +57,7 @@ pub struct IslandManager {
     pub(crate) groups: BodyGroups,
     /// Step count, for the time since an island was split.
     pub(crate) step: u32,
+    pub(crate) pace: Pace,
     /// By body slot: the motion of the body in the last step.
     pub(crate) motion: Vec<BodyMotion>,
     /// Slots of the sleeping bodies that the user inserted or moved since the last step.
@@ -73,6 +75,7 @@ clone_in_place!(IslandManager {
     joints,
     groups,
     step,
+    pace,
     motion,
     placed_asleep,
     stamp
@@ -148,6 +151,7 @@ impl IslandManager {
 
     /// Checks that empty islands are free, and no others.
     pub(crate) fn check_free(&self) -> Result<(), Fault> {
+        ensure!(self.pace.is_valid(), "{:?}", self.pace);
         let mut is_free = vec![false; self.islands.len()];
         for &id in &self.free {
             let free = is_free.get_mut(id as usize);

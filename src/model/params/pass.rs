@@ -20,11 +20,13 @@ pub(crate) struct ContactPass {
 }
 
 impl ContactPass {
-    /// For substeps of `substep` seconds.
-    pub fn new(params: &IntegrationParameters, substep: Real) -> Self {
+    /// For substeps of `substep` seconds. Contacts have the spring of substeps that are `reference_ratio`
+    /// times as long.
+    pub fn new(params: &IntegrationParameters, substep: Real, reference_ratio: Real) -> Self {
+        let softness = params.contact_softness(substep * reference_ratio);
         Self {
             inv_substep: if substep > 0.0 { 1.0 / substep } else { 0.0 },
-            softness: params.contact_softness(substep),
+            softness: softness.in_shorter_substep(reference_ratio, substep),
             push_velocity_max: params.max_corrective_velocity(),
             allowed_error: params.allowed_error(substep),
             is_last_iteration: true,

@@ -116,6 +116,20 @@ impl Softness {
         Self { mass_scale, impulse_scale: compliance * mass_scale, ..self }
     }
 
+    /// The same spring and damper in substeps of `substep` seconds, if it was made for substeps `ratio` times
+    /// as long (more than 1). With a ratio of 1 or less the result is the same.
+    ///
+    /// From `k = β m/(σ h²)` and `c = (1 - β) m/(σ h)`.
+    pub(crate) fn in_shorter_substep(&self, ratio: Real, substep: Real) -> Self {
+        if ratio <= 1.0 {
+            return *self;
+        }
+        let share = 1.0 / ratio;
+        let fraction = self.bias_rate * substep * ratio;
+        let kept = (1.0 - fraction) + share * fraction;
+        Self::new(share * fraction / kept, self.compliance() * ratio / kept, substep)
+    }
+
     /// The compliance `σ` from which [`Self::new`] made this.
     #[inline]
     pub(crate) fn compliance(&self) -> Real {

@@ -10,7 +10,7 @@ use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodySet;
 use crate::model::contact::NarrowPhase;
 use crate::model::event::JointBreakEvent;
-use crate::model::island::{BodyMotion, IslandManager};
+use crate::model::island::{BodyMotion, IslandManager, StepPace};
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
 use crate::model::params::{
@@ -46,6 +46,7 @@ pub(crate) struct SolverContext<'a> {
 pub(crate) struct SolverSettings<'a> {
     pub gravity: Vector,
     pub params: &'a IntegrationParameters,
+    pub pace: StepPace,
     /// The instructions that kernels run on.
     pub simd: Simd,
     pub tasks: Tasks<'a>,
@@ -107,12 +108,12 @@ impl SolverContext<'_> {
 impl<'a> SolverSettings<'a> {
     /// The passes of a group with this number of substeps.
     pub(super) fn pass(&self, substeps: usize) -> SolverPass<'a> {
-        let Self { gravity, params, simd, tasks } = *self;
+        let Self { gravity, params, pace, simd, tasks } = *self;
         let substep = params.dt / substeps as Real;
         SolverPass {
             params,
             substep,
-            contacts: ContactPass::new(params, substep),
+            contacts: ContactPass::new(params, substep, pace.reference_ratio),
             joints: JointPass::new(params, substep),
             impacts: ImpactPass::new(params, gravity.length(), substep),
             simd,

@@ -27,7 +27,7 @@ use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::math::{Real, Vector};
 use crate::model::body::{BODIES_PER_TASK, RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::contact::NarrowPhase;
-use crate::model::island::{IslandManager, NONE};
+use crate::model::island::{IslandManager, NONE, StepPace};
 use crate::model::joint::ImpulseJointSet;
 use crate::model::params::IntegrationParameters;
 use crate::step::solver::context::{SolverInput, SolverSettings};
@@ -100,16 +100,19 @@ impl IslandRequirement {
         heaviest <= MASS_RATIO_MODERATE_MAX * lightest
     }
 
-    /// The factor on the usual number of substeps for an island of this size with substeps of `h` seconds. It
-    /// is a power of two, so there are few groups.
+    /// The factor on the usual number of substeps for an island of this size. It is a power of two, so
+    /// there are few groups.
     fn factor(
         &self,
         bodies: usize,
+        usual: usize,
         gravity: Real,
-        h: Real,
         params: &IntegrationParameters,
+        pace: StepPace,
     ) -> usize {
-        let give = Give::new(params, gravity, h);
+        let h = params.dt / usual as Real;
+        let last_h = pace.last / usual as Real;
+        let give = Give::new(params, gravity, h, h * pace.reference_ratio);
         let ([lightest, heaviest], [least, most]) = (self.masses, self.joined);
         let is_ratio_large = most > MASS_RATIO_MODERATE_MAX * least;
         let stiffness =
@@ -122,7 +125,7 @@ impl IslandRequirement {
             let by_joints =
                 factor < JOINT_SUBSTEP_FACTOR_MAX && stiffness > GEOMETRIC_STIFFNESS_MAX * square;
             let by_stack = factor < STACK_SUBSTEP_FACTOR_MAX
-                && self.stack.is_some_and(|stack| stack.is_soft(factor, give, h));
+                && self.stack.is_some_and(|stack| stack.is_soft(factor, give, last_h));
             if !by_contacts && !by_joints && !by_stack {
                 break;
             }
@@ -202,7 +205,7 @@ impl Groups {
 
     /// Divides the awake bodies.
     pub fn divide(&mut self, input: SolverInput<'_>, settings: &SolverSettings<'_>) {
-        let &SolverSettings { gravity, params, tasks, .. } = settings;
+        let &SolverSettings { gravity, params, pace, tasks, .. } = settings;
         let SolverInput { world: bodies, narrow_phase, joints, islands } = input;
         self.order.clear();
         self.groups.clear();
@@ -214,7 +217,7 @@ impl Groups {
             self.find_requirements(islands, bodies.slot_count(), narrow_phase);
             self.find_requirements_of_joints(islands, bodies, joints);
         }
-        self.find_substeps(islands, gravity.length(), params);
+        self.find_substeps(islands, gravity.length(), params, pace);
         if self.counts.iter().all(|&substeps| substeps == params.num_solver_iterations) {
             self.order.extend_from_slice(&islands.awake);
             let members = 0..self.order.len();
@@ -340,14 +343,15 @@ impl Groups {
         islands: &IslandManager,
         gravity: Real,
         params: &IntegrationParameters,
+        pace: StepPace,
     ) {
         self.substeps.clear();
         self.counts.clear();
         for (id, requirement) in self.requirements.iter().enumerate() {
             let island = islands.island(id as u32);
             let usual = params.num_solver_iterations + requirement.extra;
-            let h = params.dt / usual as Real;
-            self.substeps.push(usual * requirement.factor(island.bodies.len(), gravity, h, params));
+            let factor = requirement.factor(island.bodies.len(), usual, gravity, params, pace);
+            self.substeps.push(usual * factor);
             if !island.bodies.is_empty() && !island.sleeping {
                 self.counts.extend(self.substeps.last());
             }

@@ -67,12 +67,14 @@ pub(super) struct Give {
 }
 
 impl Give {
-    /// For substeps of `h` seconds. Zero for parameters that do not correct overlap: no number of substeps
-    /// makes these contacts stiff.
-    pub fn new(params: &IntegrationParameters, gravity: Real, h: Real) -> Self {
+    /// For substeps of `h` seconds, whose contacts have the spring of substeps of `reference` seconds.
+    ///
+    /// Zero for parameters that do not correct overlap: no number of substeps makes these contacts stiff.
+    pub fn new(params: &IntegrationParameters, gravity: Real, h: Real, reference: Real) -> Self {
         let fraction = params.erp * CONTACT_ERP_SCALE;
         if fraction > 0.0 {
-            let yielding = CORNER_YIELD * CONTACT_COMPLIANCE * gravity * h * h / fraction;
+            let force = CORNER_YIELD * CONTACT_COMPLIANCE * gravity;
+            let yielding = force * reference * reference / fraction;
             Self { yielding, play: params.allowed_error(h) }
         } else {
             Self { yielding: 0.0, play: 0.0 }
@@ -191,13 +193,14 @@ impl Stack {
         }
     }
 
-    /// Returns whether the stack needs more than `factor` times the usual substeps of `h` seconds.
+    /// Returns whether the stack needs more than `factor` times the usual substeps, which took `last_h`
+    /// seconds in the last step.
     ///
     /// It keeps its substeps until half their stiffness is sufficient. Otherwise it could alternate between
     /// two numbers of substeps, and hop.
-    pub fn is_soft(&self, factor: usize, give: Give, h: Real) -> bool {
+    pub fn is_soft(&self, factor: usize, give: Give, last_h: Real) -> bool {
         let (factor, stiffness) = (factor as Real, self.stiffness(give));
-        let had_more = self.last_substep > 0.0 && self.last_substep * factor < 0.75 * h;
+        let had_more = self.last_substep > 0.0 && self.last_substep * factor < 0.75 * last_h;
         stiffness > factor * factor || had_more && 2.0 * stiffness > factor * factor
     }
 

@@ -11,7 +11,7 @@ use crate::dim::motion::FreeMotion;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
 use crate::model::contact::AnchorFrame;
-use crate::model::island::NONE;
+use crate::model::island::{NONE, StepPace};
 use crate::model::params::IntegrationParameters;
 use crate::step::solver::context::SolverSettings;
 use crate::step::solver::groups::Groups;
@@ -28,10 +28,10 @@ impl SolverBodies {
         bodies: &mut RigidBodySet,
         settings: &SolverSettings<'_>,
     ) {
-        let &SolverSettings { gravity, params, tasks, .. } = settings;
+        let &SolverSettings { gravity, params, pace, tasks, .. } = settings;
         self.allocate(groups.order().len(), bodies.slot_count());
         let order = groups.order();
-        let context = LoadContext { links, gravity, params };
+        let context = LoadContext { links, gravity, params, pace };
         let ungrouped = 0..groups.ungrouped();
         self.any_far = self.load_members(order, ungrouped, bodies, &context, params.dt, tasks);
         for group in groups.iter() {
@@ -39,7 +39,7 @@ impl SolverBodies {
             let members = group.members.clone();
             self.any_far |= self.load_members(order, members, bodies, &context, h, tasks);
         }
-        self.any_scaled = self.impulse_scales.iter().any(|&impulse_scale| impulse_scale != 1.0);
+        self.any_scaled = self.impulse_scales.iter().any(|&[_, of_contacts]| of_contacts < 1.0);
     }
 
     /// Allocates states for some bodies, which fill all of them, and for the world.
@@ -53,7 +53,7 @@ impl SolverBodies {
         self.states.resize(count + 1, BodyState::default());
         self.before.resize(count + 1, BodyState::default());
         self.motions.resize(count + 1, FreeMotion::at_rest(Rotation::IDENTITY));
-        self.impulse_scales.resize(count + 1, 1.0);
+        self.impulse_scales.resize(count + 1, [1.0; 2]);
         self.islands.resize(count + 1, NONE);
         // SAFETY: the index is in range, and this task owns it exclusively.
         unsafe { self.places().at(0).clear() };
@@ -114,6 +114,7 @@ struct LoadContext<'a> {
     links: &'a Links,
     gravity: Vector,
     params: &'a IntegrationParameters,
+    pace: StepPace,
 }
 
 /// The solver's data of one body, to be filled.
@@ -122,7 +123,7 @@ struct Place<'a> {
     state: &'a mut BodyState,
     before: &'a mut BodyState,
     motion: &'a mut FreeMotion,
-    impulse_scale: &'a mut Real,
+    impulse_scale: &'a mut [Real; 2],
     island: &'a mut u32,
 }
 
@@ -132,7 +133,7 @@ impl Place<'_> {
         *self.pose = BodyPose::WORLD;
         (*self.state, *self.before) = (BodyState::AT_REST, BodyState::AT_REST);
         *self.motion = FreeMotion::at_rest(Rotation::IDENTITY);
-        (*self.impulse_scale, *self.island) = (1.0, NONE);
+        (*self.impulse_scale, *self.island) = ([1.0; 2], NONE);
     }
 
     /// A body that is solved with the substep `h`.
@@ -141,8 +142,9 @@ impl Place<'_> {
             let velocity = body.velocity_to_next_position(context.params.inv_dt());
             (body.vels.linvel, body.vels.angvel) = (velocity.linvel, velocity.angvel);
         }
-        *self.impulse_scale = if body.substep > h { h / body.substep } else { 1.0 };
-        body.substep = h;
+        let scale = if body.substep > 0.0 { h / body.substep } else { 1.0 };
+        *self.impulse_scale = [scale, scale / body.reference_ratio].map(|scale| scale.min(1.0));
+        (body.substep, body.reference_ratio) = (h, context.pace.reference_ratio);
         *self.motion = if body.is_dynamic() {
             motion_of(body, context.gravity, h)
         } else {
@@ -178,7 +180,7 @@ pub(super) struct Places<'a> {
     /// As many, or none.
     pub last: DisjointMut<'a, BodyState>,
     pub motions: DisjointMut<'a, FreeMotion>,
-    impulse_scales: DisjointMut<'a, Real>,
+    impulse_scales: DisjointMut<'a, [Real; 2]>,
     islands: DisjointMut<'a, u32>,
 }
 

@@ -37,9 +37,9 @@ pub(super) struct SolverBodies {
     indices: Vec<u32>,
     /// By index: the slot whose index it is, or [`NONE`]; to be cleared by the next step.
     listed: Vec<u32>,
-    /// By index: the fraction of the last impulses with which a substep begins. The flag is set if any
-    /// differs from 1.
-    impulse_scales: Vec<Real>,
+    /// By index: the fractions of the last impulses with which joints and contacts begin. The flag is set if
+    /// that of any contacts is less than 1.
+    impulse_scales: Vec<[Real; 2]>,
     any_scaled: bool,
     /// By index: the island, or [`NONE`].
     pub islands: Vec<u32>,
@@ -95,18 +95,27 @@ impl SolverBodies {
         })
     }
 
-    /// Returns whether any body begins with a reduced [fraction](Self::impulse_fraction) of its impulses.
+    /// Returns whether the contacts of any body begin with a reduced [fraction](Self::contact_fraction) of
+    /// their impulses.
     pub fn any_scaled(&self) -> bool {
         self.any_scaled
     }
 
     /// The fraction of the last impulses with which two bodies begin. It is less than 1 if substeps have
-    /// become shorter, in proportion to the impulse of a force. It stays 1 if substeps have become longer.
-    /// The penetration of soft contacts is then larger than at equilibrium, and they push harder than the
-    /// load; that must not be multiplied.
+    /// become shorter, in proportion to the impulse of a force. It stays 1 if substeps have become longer:
+    /// the impulses may be those of a moment that does not last.
     pub fn impulse_fraction(&self, indices: [u32; 2]) -> Real {
+        self.impulse_scales(indices)[0]
+    }
+
+    /// The same for contacts, whose impulses may be those of longer substeps.
+    pub fn contact_fraction(&self, indices: [u32; 2]) -> Real {
+        self.impulse_scales(indices)[1]
+    }
+
+    fn impulse_scales(&self, indices: [u32; 2]) -> [Real; 2] {
         let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
-        moved.map_or(1.0, |index| self.impulse_scales[index as usize])
+        moved.map_or([1.0; 2], |index| self.impulse_scales[index as usize])
     }
 
     /// The island of two bodies that touch.

@@ -192,13 +192,14 @@ impl SolverContacts {
     /// Stores the impulses for the next step, and writes back the manifolds whose lanes are not indexed.
     pub fn store(&mut self, output: &mut ImpulseOutput<'_>) {
         let ImpulseOutput { settings, narrow_phase, .. } = output;
-        let SolverSettings { simd, tasks, .. } = *settings;
+        let SolverSettings { pace, simd, tasks, .. } = *settings;
+        let withheld = pace.reference_ratio - 1.0;
         let lanes = DisjointMut::new(&mut self.lanes.blocks);
         let reports = DisjointMut::new(&mut self.lanes.reports);
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         let layout = &self.layout;
         tasks.par_for(layout.block_count(), BLOCKS_PER_TASK, |range| {
-            simd.run(Store { range, layout, lanes, reports, blocks });
+            simd.run(Store { range, layout, lanes, reports, blocks, withheld });
         });
         self.lanes.has_friction_per_point = !self.coulomb.is_empty();
         for color in self.layout.colors().iter().take_while(|color| self.needs_write_back(color)) {
@@ -305,11 +306,13 @@ block_kernel! {
         lanes: DisjointMut<'a, LaneBlock>,
         reports: DisjointMut<'a, [ContactReport; LANES]>,
         blocks: Blocks<'a>,
+        withheld: Real,
     }
     |index| if !layout.block(index).is_empty() {
         let (block, coulomb) = blocks.get(index);
         let input = &mut lanes.get_mut(index).input;
-        store_impulses::<W>(block, coulomb.as_deref(), input, reports.get_mut(index));
+        let reports = reports.get_mut(index);
+        store_impulses::<W>(block, coulomb.as_deref(), input, reports, withheld);
     }
 }
 

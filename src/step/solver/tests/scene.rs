@@ -320,7 +320,7 @@ impl Kernel for Run<'_> {
                 }
                 Pass::Solve => passes::solve::<W>(block, &states, pass),
                 Pass::Relax => passes::relax::<W>(block, coulomb.as_mut(), &states, pass),
-                Pass::Keep => store_impulses::<W>(block, coulomb.as_ref(), input, reports),
+                Pass::Keep => store_impulses::<W>(block, coulomb.as_ref(), input, reports, 0.0),
                 Pass::Bounce => {
                     let pass = ImpactPass {
                         step: SUBSTEP,
