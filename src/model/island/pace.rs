@@ -24,6 +24,10 @@ const HOLDING_TIME: Real = 0.2;
 /// Time in which contacts then adapt to shorter steps (s).
 const ADAPTATION_TIME: Real = 0.1;
 
+/// The longest reference of shorter steps (s). A program that stalls for a second may make a single step of
+/// it. Contacts that were adapted to that would let all bodies sink by half a metre.
+const REFERENCE_MAX: Real = 0.1;
+
 /// References within this factor of the step's length become equal to it.
 const REFERENCE_RATIO_MIN: Real = 1.01;
 
@@ -67,14 +71,14 @@ impl Pace {
     }
 
     fn after(self, step: Real) -> Self {
-        let age = self.age + step;
-        if step >= self.reference {
+        let (age, longest) = (self.age + step, self.reference.min(REFERENCE_MAX));
+        if step >= longest {
             return Self { step, reference: step, age: 0.0 };
         }
         if age <= HOLDING_TIME {
-            return Self { step, age, ..self };
+            return Self { step, reference: longest, age };
         }
-        let reference = step + (self.reference - step) / (1.0 + step / ADAPTATION_TIME);
+        let reference = step + (longest - step) / (1.0 + step / ADAPTATION_TIME);
         if reference < REFERENCE_RATIO_MIN * step {
             Self { step, reference: step, age: 0.0 }
         } else {
@@ -114,6 +118,15 @@ mod tests {
             let long = Pace { ..pace }.begin(0.03);
             assert_eq!(long.reference_ratio, 1.0);
         }
+    }
+
+    #[test]
+    fn a_stall_is_no_reference() {
+        let mut pace = Pace::default();
+        pace.begin(0.02);
+        assert_eq!(pace.begin(1.0).reference_ratio, 1.0);
+        assert_eq!(pace.begin(0.02).reference_ratio, REFERENCE_MAX / 0.02);
+        assert_eq!(pace.begin(0.5).reference_ratio, 1.0);
     }
 
     #[test]
