@@ -51,6 +51,7 @@ fn inherit_manifold(new: &mut ContactManifold, old: &ContactManifold, has_same_p
     if new.local_n1.dot(old.local_n1) < NORMAL_COSINE_MIN {
         return;
     }
+    new.data.last_friction = old.data.last_friction;
     new.data.warmstart_friction = old.data.warmstart_friction;
     new.data.warmstart_torsion = old.data.warmstart_torsion;
     inherit_points(&mut new.data.points, old.contacts(), has_same_parts);
@@ -69,7 +70,7 @@ pub(super) fn replace_contacts(
     set_contacts(manifold, points);
     let data = &mut manifold.data;
     if local_n1.dot(old_normal) < NORMAL_COSINE_MIN {
-        (data.warmstart_friction, data.warmstart_torsion) = (Vector::ZERO, 0.0);
+        data.clear_friction();
     } else {
         inherit_points(&mut data.points, &old, true);
     }

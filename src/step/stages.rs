@@ -159,7 +159,7 @@ impl Step<'_> {
             return;
         }
         let StepScratch { notes, solver: scratch, simd, .. } = self.scratch;
-        let pace = structure.islands.pace.begin(params.dt);
+        let pace = structure.islands.pace.of(params.dt);
         let settings =
             SolverSettings { gravity: *gravity, params, pace, simd: *simd, tasks: self.tasks };
         let context = SolverContext {
@@ -177,6 +177,7 @@ impl Step<'_> {
         let Counters { stages, solver: counters, .. } = self.counters;
         stages.solver_time.measure(|| solver::solve(context, scratch, counters));
         if notes.diverged.is_empty() {
+            structure.islands.pace = structure.islands.pace.after(params.dt);
             self.duration = params.dt;
             debug_assert!(structure.has_usable_bodies(), "the solver stores finite numbers");
         }

@@ -71,6 +71,44 @@ fn boxes_stay_where_they_rest() {
     }
 }
 
+/// Two boxes stay where they rest beside a stack that gets more substeps, so that islands are solved in
+/// groups, and if a program edits their contacts before each step, so that these are computed again.
+#[test]
+fn boxes_stay_beside_others_and_with_edits() {
+    for (has_stack, is_edited) in [(true, false), (false, true), (true, true)] {
+        let mut world = world(60);
+        add_ground(&mut world, 0.5);
+        let plates = if has_stack { 12 } else { 0 };
+        for k in 0..plates {
+            let body = RigidBodyBuilder::dynamic().can_sleep(false);
+            world.insert(body.translation(vec(5.0, 0.02 * (2 * k + 1) as Real)), cuboid(0.2, 0.02));
+        }
+        let boxes = [0.5, 1.5].map(|y| {
+            let body = RigidBodyBuilder::dynamic().can_sleep(false).translation(vec(0.0, y));
+            world.insert(body, cuboid(0.5, 0.5))
+        });
+        let mut settled = None;
+        for step in 0..800 {
+            world.integration_parameters.dt = [1.0 / 30.0, 1.0 / 144.0][step % 2];
+            if is_edited {
+                boxes.iter().for_each(|&(_, collider)| {
+                    world.colliders[collider].set_friction([0.5, 0.6][step % 2]);
+                });
+            }
+            world.step();
+            if step < 200 {
+                continue;
+            }
+            let places = boxes.map(|(body, _)| world.bodies[body].translation());
+            for (now, then) in places.into_iter().zip(*settled.get_or_insert(places)) {
+                let moved = (now - then).length();
+                let what = format!("stack {has_stack}, edits {is_edited}, step {step}");
+                assert!(moved < 1e-3, "{what}: {moved} m");
+            }
+        }
+    }
+}
+
 /// A pile that settled in long steps falls asleep in short ones, and the other way round.
 #[test]
 fn piles_fall_asleep_after_a_change() {

@@ -36,6 +36,20 @@ fn a_world_restored_at_any_step_continues_like_the_original() {
     }
 }
 
+/// The impulses with which a step starts are those of longer steps, wherever they are stored.
+#[test]
+fn a_world_of_changing_steps_continues_like_the_original() {
+    let mut original = world();
+    for k in 0..60 {
+        original.integration_parameters.dt = [1.0 / 30.0, 1.0 / 144.0, 1.0 / 60.0][k % 3];
+        let saved = snapshot(&original);
+        let mut restored = PhysicsWorld::from_snapshot(&saved).expect("it was saved");
+        step(&mut original);
+        step(&mut restored);
+        assert_eq!(original.hash(), restored.hash(), "step {k}");
+    }
+}
+
 #[test]
 fn gravity_and_parameters_are_part_of_a_snapshot() {
     let mut world = world();

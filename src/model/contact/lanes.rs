@@ -111,13 +111,14 @@ impl LaneBlock {
     }
 }
 
-/// Writes a report to its manifold.
-fn write_back(report: &ContactReport, data: &mut ContactManifoldData) {
+/// Writes a report to its manifold, and the friction impulse with which the next step starts.
+fn write_back(report: &ContactReport, friction: Vector, data: &mut ContactManifoldData) {
     if !report.is_sound() {
         return data.clear_impulses();
     }
     data.normal = report.normal();
-    data.warmstart_friction = report.friction_impulse();
+    data.last_friction = report.friction_impulse();
+    data.warmstart_friction = friction;
     data.warmstart_torsion = report.torsional_impulse();
     for (k, point) in data.points.iter_mut().enumerate() {
         point.point = report.point(k);
@@ -279,10 +280,9 @@ impl ContactLanes {
 
     /// Writes the results of a lane back to its manifold.
     pub fn write_back_manifold(&self, block: usize, lane: usize, manifold: &mut ContactManifold) {
-        let data = &mut manifold.data;
-        write_back(&self.reports[block][lane], data);
+        let (data, input) = (&mut manifold.data, &self.blocks[block].input);
+        write_back(&self.reports[block][lane], input.friction_impulse.lane(lane), data);
         if self.has_friction_per_point {
-            let input = &self.blocks[block].input;
             for (k, point) in data.points.iter_mut().enumerate() {
                 point.warmstart_tangent_impulse = input.tangent_impulse(k, lane);
             }

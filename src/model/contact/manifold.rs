@@ -48,7 +48,8 @@ pub struct Contact {
     pub fid2: PackedFeatureId,
     /// Impulse along the normal during the last step: the sum over its substeps (mass·velocity).
     pub impulse: Real,
-    /// Normal impulse of the last substep, with which the next step starts.
+    /// Normal impulse with which the next step starts: that of the last substep, if steps are equal. After a
+    /// step that was shorter than those before, it is the impulse of a longer one.
     pub warmstart_impulse: Real,
     /// Friction impulse at this point of the last substep, along the manifold's tangents. Only points with
     /// friction of their own have it: see [`ContactManifoldData::friction_impulse`].
@@ -129,6 +130,8 @@ pub struct ContactManifoldData {
     /// User data of the hooks. It persists as long as the manifold.
     pub user_data: u32,
     /// Friction impulse of the last substep in world space, at the manifold's friction centre.
+    pub(crate) last_friction: Vector,
+    /// The same, with which the next step starts ([`Contact::warmstart_impulse`]).
     pub(crate) warmstart_friction: Vector,
     /// Torsional-friction impulse of the last substep about the normal (3D).
     pub(crate) warmstart_torsion: Real,
@@ -149,6 +152,7 @@ impl Default for ContactManifoldData {
             tangent_velocity: Vector::ZERO,
             relative_dominance: 0,
             user_data: 0,
+            last_friction: Vector::ZERO,
             warmstart_friction: Vector::ZERO,
             warmstart_torsion: 0.0,
             points: ContactPoints::new(),
@@ -182,29 +186,34 @@ impl ContactManifoldData {
     ///
     /// Points of multibody links have friction of their own. In 3D,
     /// [`FrictionModel::Coulomb`](crate::model::params::FrictionModel) gives every point its own friction.
-    /// The impulse is then the stored one of the point.
+    /// The impulse is then the stored one of the point, with which the next step starts.
     pub fn friction_impulse(&self, point: usize) -> Vector {
         let Some(contact) = self.points.get(point) else { return Vector::ZERO };
         // A manifold with a friction impulse may still store old impulses of points. They are from steps
         // before a change of the model or the removal of a multibody joint, and no longer act.
-        if self.warmstart_friction == Vector::ZERO {
+        if self.last_friction == Vector::ZERO {
             let own = tangents(self.normal).into_iter().zip(contact.warmstart_tangent_impulse);
             return own.map(|(tangent, impulse)| tangent * impulse).sum();
         }
         let sum: Real = self.points.iter().map(|contact| contact.warmstart_impulse).sum();
         let fraction = if sum > 0.0 { contact.warmstart_impulse / sum } else { 0.0 };
-        self.warmstart_friction * fraction
+        self.last_friction * fraction
     }
 
     /// Clears the impulses, as for a new contact.
     pub(crate) fn clear_impulses(&mut self) {
-        self.warmstart_friction = Vector::ZERO;
-        self.warmstart_torsion = 0.0;
+        self.clear_friction();
         for point in &mut self.points {
             point.impulse = 0.0;
             point.warmstart_impulse = 0.0;
             point.warmstart_tangent_impulse = [0.0; DIM - 1];
         }
+    }
+
+    /// Removes the friction impulses of the manifold as a whole.
+    pub(crate) fn clear_friction(&mut self) {
+        (self.last_friction, self.warmstart_friction) = (Vector::ZERO, Vector::ZERO);
+        self.warmstart_torsion = 0.0;
     }
 }
 
@@ -274,7 +283,7 @@ impl ContactManifold {
     pub(crate) fn is_sound(&self) -> bool {
         let data = &self.data;
         let directions = [self.local_n1, self.local_n2, data.normal, data.anchor_normal];
-        let vectors = [data.tangent_velocity, data.warmstart_friction];
+        let vectors = [data.tangent_velocity, data.last_friction, data.warmstart_friction];
         let numbers = [data.friction, data.restitution, data.warmstart_torsion];
         let is_empty = data.points.is_empty();
         let is_direction = |direction: &Vector| {

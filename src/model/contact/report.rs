@@ -42,7 +42,7 @@ impl ContactReport {
         Vector::from_slice(&self.0[FRICTION..])
     }
 
-    /// The torsional impulse of the last substep, about the normal; zero in 2D.
+    /// The torsional impulse with which the next step starts, about the normal; zero in 2D.
     pub fn torsional_impulse(&self) -> Real {
         self.0[TORSION]
     }
@@ -62,7 +62,7 @@ impl ContactReport {
         self.of_point(point)[TOTAL]
     }
 
-    /// The normal impulse of a point in the last substep.
+    /// The normal impulse of a point with which the next step starts.
     pub fn impulse(&self, point: usize) -> Real {
         self.of_point(point)[IMPULSE]
     }
@@ -78,7 +78,8 @@ pub(crate) struct WideReport<W> {
 }
 
 impl<W: Wide> WideReport<W> {
-    /// A report with these normals, and with these impulses of friction and torsional friction.
+    /// A report with these normals, friction impulses of the last substep, and torsional impulses with which
+    /// the next step starts.
     #[inline(always)]
     pub fn new(normal: WideVector<W>, friction: WideVector<W>, torsion: W) -> Self {
         let mut numbers = [W::zero(); ContactReport::LEN];
@@ -88,7 +89,8 @@ impl<W: Wide> WideReport<W> {
         Self { numbers }
     }
 
-    /// Sets a point: its position, its separation, and the impulses of all substeps and of the last.
+    /// Sets a point: its position, its separation, the impulse of all substeps, and the one with which the
+    /// next step starts.
     #[inline(always)]
     pub fn set_point(&mut self, k: usize, place: WideVector<W>, separation: W, impulses: [W; 2]) {
         let numbers = &mut self.numbers[POINTS + k * POINT_LEN..][..POINT_LEN];

@@ -31,11 +31,11 @@ const REFERENCE_MAX: Real = 0.1;
 /// References within this factor of the step's length become equal to it.
 const REFERENCE_RATIO_MIN: Real = 1.01;
 
-/// Lengths of the present step and of the last ones (s); 0 before the first.
+/// Lengths of the last steps (s); 0 before the first.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Pace {
-    /// The last step, or the present one after [`Pace::begin`].
+    /// The last step.
     step: Real,
     /// The length to which contacts are adapted.
     reference: Real,
@@ -52,25 +52,15 @@ pub(crate) struct StepPace {
     pub reference_ratio: Real,
 }
 
-impl StepPace {
-    /// Equal steps.
-    pub fn constant(step: Real) -> Self {
-        Self { last: step, reference_ratio: 1.0 }
-    }
-}
-
 impl Pace {
-    /// Returns the pace of a step of `step` seconds (more than 0), which begins.
-    pub fn begin(&mut self, step: Real) -> StepPace {
-        let before = *self;
-        *self = before.after(step);
-        if before.step <= 0.0 {
-            return StepPace::constant(step);
-        }
-        StepPace { last: before.step, reference_ratio: self.reference / step }
+    /// Returns the pace of a step of `step` seconds (more than 0).
+    pub fn of(self, step: Real) -> StepPace {
+        let last = if self.step > 0.0 { self.step } else { step };
+        StepPace { last, reference_ratio: self.after(step).reference / step }
     }
 
-    fn after(self, step: Real) -> Self {
+    /// Returns the lengths after a step of `step` seconds.
+    pub fn after(self, step: Real) -> Self {
         let (age, longest) = (self.age + step, self.reference.min(REFERENCE_MAX));
         if step >= longest {
             return Self { step, reference: step, age: 0.0 };
@@ -99,11 +89,18 @@ impl Pace {
 mod tests {
     use super::*;
 
+    /// Takes a step and returns its pace.
+    fn step(pace: &mut Pace, length: Real) -> StepPace {
+        let present = pace.of(length);
+        *pace = pace.after(length);
+        present
+    }
+
     #[test]
     fn equal_steps_are_their_own_reference() {
         let mut pace = Pace::default();
         for _ in 0..5 {
-            let StepPace { last, reference_ratio } = pace.begin(0.02);
+            let StepPace { last, reference_ratio } = step(&mut pace, 0.02);
             assert_eq!([last, reference_ratio], [0.02, 1.0]);
         }
     }
@@ -112,28 +109,25 @@ mod tests {
     fn alternating_steps_have_the_reference_of_the_longer_ones() {
         let mut pace = Pace::default();
         for _ in 0..50 {
-            pace.begin(0.03);
-            let short = pace.begin(0.005);
-            assert_eq!(short.reference_ratio, 0.03 / 0.005);
-            let long = Pace { ..pace }.begin(0.03);
-            assert_eq!(long.reference_ratio, 1.0);
+            assert_eq!(step(&mut pace, 0.03).reference_ratio, 1.0);
+            assert_eq!(step(&mut pace, 0.005).reference_ratio, 0.03 / 0.005);
         }
     }
 
     #[test]
     fn a_stall_is_no_reference() {
         let mut pace = Pace::default();
-        pace.begin(0.02);
-        assert_eq!(pace.begin(1.0).reference_ratio, 1.0);
-        assert_eq!(pace.begin(0.02).reference_ratio, REFERENCE_MAX / 0.02);
-        assert_eq!(pace.begin(0.5).reference_ratio, 1.0);
+        step(&mut pace, 0.02);
+        assert_eq!(step(&mut pace, 1.0).reference_ratio, 1.0);
+        assert_eq!(step(&mut pace, 0.02).reference_ratio, REFERENCE_MAX / 0.02);
+        assert_eq!(step(&mut pace, 0.5).reference_ratio, 1.0);
     }
 
     #[test]
     fn the_reference_reaches_shorter_steps() {
         let mut pace = Pace::default();
-        pace.begin(0.1);
-        let after: Vec<_> = (0..200).map(|_| pace.begin(0.005).reference_ratio).collect();
+        step(&mut pace, 0.1);
+        let after: Vec<_> = (0..200).map(|_| step(&mut pace, 0.005).reference_ratio).collect();
         assert!(after.is_sorted_by(|a, b| a >= b), "{after:?}");
         assert!(after[100] < 2.0, "after 0.5 s: {}", after[100]);
         assert_eq!(after[199], 1.0);

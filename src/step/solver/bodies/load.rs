@@ -1,7 +1,7 @@
 //! Gathers bodies into solver states: once per step, on several threads.
 
 use super::motion::motion_of;
-use super::{NEAR_REST, SolverBodies, WORLD};
+use super::{ImpulseFractions, NEAR_REST, SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
 use crate::base::measure::COORDINATE_MODERATE_MAX;
 use crate::base::tasks::Tasks;
@@ -39,7 +39,7 @@ impl SolverBodies {
             let members = group.members.clone();
             self.any_far |= self.load_members(order, members, bodies, &context, h, tasks);
         }
-        self.any_scaled = self.impulse_scales.iter().any(|&[_, of_contacts]| of_contacts < 1.0);
+        self.any_scaled = self.impulse_fractions.iter().any(|it| it.of_contacts < 1.0);
     }
 
     /// Allocates states for some bodies, which fill all of them, and for the world.
@@ -53,7 +53,7 @@ impl SolverBodies {
         self.states.resize(count + 1, BodyState::default());
         self.before.resize(count + 1, BodyState::default());
         self.motions.resize(count + 1, FreeMotion::at_rest(Rotation::IDENTITY));
-        self.impulse_scales.resize(count + 1, [1.0; 2]);
+        self.impulse_fractions.resize(count + 1, ImpulseFractions::ALL);
         self.islands.resize(count + 1, NONE);
         // SAFETY: the index is in range, and this task owns it exclusively.
         unsafe { self.places().at(0).clear() };
@@ -68,7 +68,7 @@ impl SolverBodies {
             before: DisjointMut::new(&mut self.before),
             last: DisjointMut::new(&mut self.last),
             motions: DisjointMut::new(&mut self.motions),
-            impulse_scales: DisjointMut::new(&mut self.impulse_scales),
+            impulse_fractions: DisjointMut::new(&mut self.impulse_fractions),
             islands: DisjointMut::new(&mut self.islands),
         }
     }
@@ -123,7 +123,7 @@ struct Place<'a> {
     state: &'a mut BodyState,
     before: &'a mut BodyState,
     motion: &'a mut FreeMotion,
-    impulse_scale: &'a mut [Real; 2],
+    impulse_fractions: &'a mut ImpulseFractions,
     island: &'a mut u32,
 }
 
@@ -133,7 +133,7 @@ impl Place<'_> {
         *self.pose = BodyPose::WORLD;
         (*self.state, *self.before) = (BodyState::AT_REST, BodyState::AT_REST);
         *self.motion = FreeMotion::at_rest(Rotation::IDENTITY);
-        (*self.impulse_scale, *self.island) = ([1.0; 2], NONE);
+        (*self.impulse_fractions, *self.island) = (ImpulseFractions::ALL, NONE);
     }
 
     /// A body that is solved with the substep `h`.
@@ -142,8 +142,11 @@ impl Place<'_> {
             let velocity = body.velocity_to_next_position(context.params.inv_dt());
             (body.vels.linvel, body.vels.angvel) = (velocity.linvel, velocity.angvel);
         }
-        let scale = if body.substep > 0.0 { h / body.substep } else { 1.0 };
-        *self.impulse_scale = [scale, scale / body.reference_ratio].map(|scale| scale.min(1.0));
+        let share = if body.substep > 0.0 { h / body.substep } else { 1.0 };
+        *self.impulse_fractions = ImpulseFractions {
+            of_joints: share.min(1.0),
+            of_contacts: (share / body.reference_ratio).min(1.0),
+        };
         (body.substep, body.reference_ratio) = (h, context.pace.reference_ratio);
         *self.motion = if body.is_dynamic() {
             motion_of(body, context.gravity, h)
@@ -180,7 +183,7 @@ pub(super) struct Places<'a> {
     /// As many, or none.
     pub last: DisjointMut<'a, BodyState>,
     pub motions: DisjointMut<'a, FreeMotion>,
-    impulse_scales: DisjointMut<'a, [Real; 2]>,
+    impulse_fractions: DisjointMut<'a, ImpulseFractions>,
     islands: DisjointMut<'a, u32>,
 }
 
@@ -197,7 +200,7 @@ impl Places<'_> {
                 state: self.states.get_mut(index),
                 before: self.before.get_mut(index),
                 motion: self.motions.get_mut(index),
-                impulse_scale: self.impulse_scales.get_mut(index),
+                impulse_fractions: self.impulse_fractions.get_mut(index),
                 island: self.islands.get_mut(index),
             }
         }

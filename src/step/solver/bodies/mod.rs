@@ -37,9 +37,9 @@ pub(super) struct SolverBodies {
     indices: Vec<u32>,
     /// By index: the slot whose index it is, or [`NONE`]; to be cleared by the next step.
     listed: Vec<u32>,
-    /// By index: the fractions of the last impulses with which joints and contacts begin. The flag is set if
-    /// that of any contacts is less than 1.
-    impulse_scales: Vec<[Real; 2]>,
+    /// By index: the fractions of the last impulses with which a step begins. The flag is set if that of any
+    /// contacts is less than 1.
+    impulse_fractions: Vec<ImpulseFractions>,
     any_scaled: bool,
     /// By index: the island, or [`NONE`].
     pub islands: Vec<u32>,
@@ -49,6 +49,21 @@ pub(super) struct SolverBodies {
     fast: Gather<FastMotion>,
     /// Whether any body was far from the origin when the step began.
     pub any_far: bool,
+}
+
+/// The fractions of the last impulses with which a step begins. They are less than 1 if substeps have become
+/// shorter, in proportion to the impulse of a force. They stay 1 if substeps have become longer: the impulses
+/// may be those of a moment that does not last.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct ImpulseFractions {
+    pub of_joints: Real,
+    /// Impulses of contacts may be those of longer substeps.
+    pub of_contacts: Real,
+}
+
+impl ImpulseFractions {
+    /// The whole impulses.
+    const ALL: Self = Self { of_joints: 1.0, of_contacts: 1.0 };
 }
 
 const WORLD: u32 = BodyPose::WORLD_INDEX | NEAR_REST;
@@ -95,27 +110,15 @@ impl SolverBodies {
         })
     }
 
-    /// Returns whether the contacts of any body begin with a reduced [fraction](Self::contact_fraction) of
-    /// their impulses.
+    /// Returns whether the contacts of any body begin with a reduced fraction of their impulses.
     pub fn any_scaled(&self) -> bool {
         self.any_scaled
     }
 
-    /// The fraction of the last impulses with which two bodies begin. It is less than 1 if substeps have
-    /// become shorter, in proportion to the impulse of a force. It stays 1 if substeps have become longer:
-    /// the impulses may be those of a moment that does not last.
-    pub fn impulse_fraction(&self, indices: [u32; 2]) -> Real {
-        self.impulse_scales(indices)[0]
-    }
-
-    /// The same for contacts, whose impulses may be those of longer substeps.
-    pub fn contact_fraction(&self, indices: [u32; 2]) -> Real {
-        self.impulse_scales(indices)[1]
-    }
-
-    fn impulse_scales(&self, indices: [u32; 2]) -> [Real; 2] {
+    /// The fractions of the last impulses with which two bodies begin.
+    pub fn impulse_fractions(&self, indices: [u32; 2]) -> ImpulseFractions {
         let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
-        moved.map_or([1.0; 2], |index| self.impulse_scales[index as usize])
+        moved.map_or(ImpulseFractions::ALL, |index| self.impulse_fractions[index as usize])
     }
 
     /// The island of two bodies that touch.

@@ -191,7 +191,8 @@ fn assign_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
 /// Scales the warm-start impulses of all lanes by the fraction of their bodies.
 fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies, per_point: bool) {
     for lane in 0..LANES {
-        let fraction = bodies.contact_fraction([input.bodies[0][lane], input.bodies[1][lane]]);
+        let fraction =
+            bodies.impulse_fractions([input.bodies[0][lane], input.bodies[1][lane]]).of_contacts;
         if fraction != 1.0 {
             input.scale_impulses(lane, fraction, per_point);
         }

@@ -21,23 +21,24 @@ pub(in crate::step::solver) fn store_impulses<W: Wide>(
     reports: &mut [ContactReport; LANES],
     withheld: Real,
 ) {
-    let withheld = W::splat(withheld);
-    let (zero, (friction, torsion)) = (W::zero(), block.friction_impulses::<W>());
-    let mut report = WideReport::new(WideVector::load(&block.normal), friction, torsion);
-    let rows = block.points.iter().zip(&block.places).zip(&block.totals);
-    for (k, ((row, place), total)) in rows.enumerate() {
-        let impulses = [W::load(total), W::load(&row.impulse)];
-        report.set_point(k, WideVector::load(place), W::load(&row.separation), impulses);
-    }
-    let is_sound = report.find_sound();
-    let friction = friction + WideVector::load(&input.friction_impulse) * withheld;
-    WideVector::select(is_sound, friction, WideVector::zero()).store(&mut input.friction_impulse);
+    let (zero, withheld) = (W::zero(), W::splat(withheld));
+    let (friction, torsion) = block.friction_impulses::<W>();
     let torsion = torsion + W::load(&input.torsional_impulse) * withheld;
-    W::select(is_sound, torsion, zero).store(&mut input.torsional_impulse);
-    for (row, kept) in block.points.iter().zip(&mut input.impulses) {
+    let mut report = WideReport::new(WideVector::load(&block.normal), friction, torsion);
+    let friction = friction + WideVector::load(&input.friction_impulse) * withheld;
+    for (k, (row, kept)) in block.points.iter().zip(&mut input.impulses).enumerate() {
         let impulse = W::load(&row.impulse);
         let whole = impulse + W::load(kept) * withheld;
-        W::select(is_sound & zero.lt(impulse), whole, zero).store(kept);
+        let whole = W::select(zero.lt(impulse), whole, impulse);
+        let impulses = [W::load(&block.totals[k]), whole];
+        report.set_point(k, WideVector::load(&block.places[k]), W::load(&row.separation), impulses);
+        whole.store(kept);
+    }
+    let is_sound = report.find_sound();
+    WideVector::select(is_sound, friction, WideVector::zero()).store(&mut input.friction_impulse);
+    W::select(is_sound, torsion, zero).store(&mut input.torsional_impulse);
+    for kept in &mut input.impulses {
+        W::select(is_sound, W::load(kept), zero).store(kept);
     }
     if let Some(rows) = coulomb {
         rows.store_impulses(&mut input.tangent_impulses, withheld);

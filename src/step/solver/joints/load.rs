@@ -291,8 +291,8 @@ fn load_lane(
     // Differences of positions first: far from the origin these have few digits.
     let separation = (ends[1].center - ends[0].center) + (ends[1].arm - ends[0].arm);
     block.separation.set_lane(lane, separation);
-    let impulse_fraction = context.bodies.impulse_fraction([ends[0].index, ends[1].index]);
-    joint.scale_impulses(impulse_fraction);
+    let fractions = context.bodies.impulse_fractions([ends[0].index, ends[1].index]);
+    joint.scale_impulses(fractions.of_joints);
     load_locked(block, lane, joint, pass);
     if joint.data.spring().is_none() {
         block.bias_rate.0[lane] *= pass.bias_scale(separation);

@@ -305,8 +305,7 @@ impl LinkContacts {
                 continue;
             }
             data.normal = contact.normal;
-            data.warmstart_friction = Vector::ZERO;
-            data.warmstart_torsion = 0.0;
+            data.clear_friction();
             for (known, point) in data.points.iter_mut().zip(&contact.points) {
                 (known.point, known.dist) = (point.position, point.separation);
                 (known.impulse, known.warmstart_impulse) = (point.total, point.impulse);

@@ -92,7 +92,7 @@ pub(super) fn scale_impulses(joint: &mut GenericJoint, fraction: Real) {
 
 impl Moving {
     /// Scales the last impulses for substeps of `h` seconds
-    /// ([`SolverBodies::impulse_fraction`](crate::step::solver::bodies::SolverBodies::impulse_fraction)).
+    /// ([`ImpulseFractions`](crate::step::solver::bodies::ImpulseFractions)).
     fn fit_impulses(&mut self, bodies: &mut RigidBodySet, h: Real) {
         self.fraction = 1.0;
         for link in &self.multibody.links {

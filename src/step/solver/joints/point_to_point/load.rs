@@ -33,7 +33,8 @@ pub(super) fn load_lane(
     block.bias_scale.0[lane] = pass.bias_scale(separation);
     let frame = body1.position().rotation * frame1.rotation;
     block.frame.set_lane(lane, &frame);
-    let fraction = bodies.impulse_fraction([block.bodies[0][lane], block.bodies[1][lane]]);
+    let fraction =
+        bodies.impulse_fractions([block.bodies[0][lane], block.bodies[1][lane]]).of_joints;
     block.impulse.set_lane(lane, frame * Vector::from_slice(&joint.impulses) * fraction);
 }
 

@@ -43,7 +43,7 @@ pub(super) fn load_lane(
     let transmission = joint.data.transmission?;
     let [first, second] = JointEnd::both(joint, context, pass)?;
     let bodies = [first.index, second.index];
-    joint.scale_impulses(context.bodies.impulse_fraction(bodies));
+    joint.scale_impulses(context.bodies.impulse_fractions(bodies).of_joints);
     let ends = [(0, &first), (1, &second)].map(|(side, end)| {
         end.write(block, side, lane);
         End::new(&transmission, side, end.center, end.arm, end.frame)
