@@ -57,6 +57,31 @@ pub fn weightless(rate: u32) -> PhysicsWorld {
     world
 }
 
+/// Environment variable with which sweeps run all their cases.
+const WHOLE_SWEEPS: &str = "WHOLE_SWEEPS";
+
+/// The part of a sweep that runs by default, where all cases take minutes: one of `period` in the order of
+/// the loops. The period has no factor in common with the numbers of values of the inner loops, so that each
+/// value occurs.
+pub struct Sample {
+    period: usize,
+    index: usize,
+}
+
+impl Sample {
+    /// One of `period` cases, or all.
+    pub fn one_of(period: usize) -> Self {
+        let period = if std::env::var_os(WHOLE_SWEEPS).is_some() { 1 } else { period };
+        Self { period, index: 0 }
+    }
+
+    /// Returns whether the next case runs.
+    pub fn has_next(&mut self) -> bool {
+        self.index += 1;
+        (self.index - 1).is_multiple_of(self.period)
+    }
+}
+
 /// Reproducible sequence of numbers (SplitMix64).
 pub struct Dice(pub u64);
 

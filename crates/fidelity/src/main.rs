@@ -7,8 +7,8 @@
 //!
 //! Tables of an earlier run of the tests serve as well:
 //!
-//!     FIDELITY_TABLES=/tmp/tables cargo test -p rapier2d -p rapier2d-f64 -p rapier3d -p rapier3d-f64 \
-//!         --test suite
+//!     FIDELITY_TABLES=/tmp/tables WHOLE_SWEEPS=1 cargo test -p rapier2d -p rapier2d-f64 -p rapier3d \
+//!         -p rapier3d-f64 --test suite
 //!     cargo run -p fidelity -- /tmp/tables
 
 mod area;
@@ -31,6 +31,8 @@ const CRATES: [(&str, &str); 4] = [
 
 /// The environment variable that `tests/physics/table.rs` reads.
 const TABLES: &str = "FIDELITY_TABLES";
+/// The one with which sweeps run all their cases (`tests/physics/stage.rs`).
+const WHOLE_SWEEPS: &str = "WHOLE_SWEEPS";
 
 fn main() -> ExitCode {
     match write_documents() {
@@ -83,6 +85,7 @@ fn run_tests(root: &Path, folder: &Path, name: &str) -> Result<(), Box<dyn error
         .args(["test", "--package", name, "--test", "suite", "--"])
         .args(filters)
         .env(TABLES, folder)
+        .env(WHOLE_SWEEPS, "1")
         .status()?;
     if status.success() { Ok(()) } else { Err(format!("the tests of {name} failed").into()) }
 }
