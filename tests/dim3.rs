@@ -32,6 +32,8 @@ mod whips;
 mod beams;
 #[path = "physics/hulls.rs"]
 mod hulls;
+#[path = "physics/heaps.rs"]
+mod heaps;
 #[path = "physics/rods.rs"]
 mod rods;
 #[path = "physics/tumbling.rs"]

@@ -1,7 +1,7 @@
 //! Mass properties of composite bodies, in 2D.
 
 use crate::base::measure::is_point;
-use crate::dim::math::{AngVector, AngularInertia, Real, Rotation, Vector};
+use crate::dim::math::{AngVector, Real, Rotation, Vector};
 use parry::mass_properties::MassProperties;
 
 /// The mass properties of a body without mass.
@@ -63,15 +63,6 @@ pub fn total_mass(parts: &[MassProperties]) -> MassProperties {
         part.principal_inertia() + part.mass() * (com - part.local_com).length_squared()
     };
     MassProperties::new(com, mass, parts.iter().map(inertia_about_com).sum())
-}
-
-/// The inverse inertia of a body that rotates in a step. It is constant in the plane.
-pub(crate) fn inv_inertia_during_rotation(
-    _mass: &MassProperties,
-    _rotation: Rotation,
-    _rotvec: AngVector,
-) -> Option<AngularInertia> {
-    None
 }
 
 /// The angular momentum about the centre of mass (mass·length²/s) of a body with the angular

@@ -64,8 +64,16 @@ impl FreeMotion {
         self.0[PILE_FLAG] != 0.0
     }
 
+    /// Notes that joints hold the body, which only gyroscopic motion distinguishes.
+    pub fn note_joint(&mut self) {}
+
     /// Rotates a gyroscopic body by this angle.
     pub fn rotate(&mut self, _: AngVector) {}
+}
+
+/// Returns whether the inertia of a body changes in a step: it never does, in the plane.
+pub(crate) fn is_uneven(_: &MassProperties, _: AngVector, _: Real) -> bool {
+    false
 }
 
 /// The velocities of up to `LANES` bodies after `h` seconds, if these are theirs and nothing holds them.
@@ -82,6 +90,17 @@ pub(crate) fn accelerated<W: Wide>(
     let linear = (linear + linear_acceleration * substep) * (one / (one + substep * own[5]));
     let angular = (angular + own[4] * substep) * (one / (one + substep * own[6]));
     WideMotion { linear, angular }
+}
+
+/// The angular velocities of up to `LANES` bodies without the torques of a substep: those of its `start`.
+#[inline(always)]
+pub(crate) fn without_forces<W: Wide>(
+    _: &[FreeMotion],
+    start: WideAngVector<W>,
+    _: WideAngVector<W>,
+    _: Real,
+) -> WideAngVector<W> {
+    start
 }
 
 /// Rotates up to `LANES` gyroscopic bodies: there are none in 2D.

@@ -1,7 +1,7 @@
 //! Rotation by angles, lane by lane, in 2D.
 
-use super::math::ANGLE_SQUARED_MAX;
-use super::wide::{WideAngVector, WideRotation};
+use super::math::{ANGLE_SQUARED_MAX, AngVector};
+use super::wide::{WideAngVector, WideRotation, WideSymmetric};
 use crate::base::turning::wide_cosine_and_sine;
 use crate::base::wide::Wide;
 
@@ -15,11 +15,25 @@ pub(crate) fn rotation_by<W: Wide>(rotvec: WideAngVector<W>) -> WideRotation<W> 
     WideRotation { re: cosine * scale, im: sine * scale }
 }
 
+/// The inverse inertia of a body after a rotation of the body: that of before, in the plane.
+#[inline(always)]
+pub(crate) fn turned_inertia<W: Wide>(
+    inv_inertia: WideSymmetric<W>,
+    _: WideRotation<W>,
+) -> WideSymmetric<W> {
+    inv_inertia
+}
+
 /// The angle after a further rotation.
 #[inline(always)]
 pub(crate) fn turned_further<W: Wide>(
     rotvec: WideAngVector<W>,
     by: WideAngVector<W>,
 ) -> WideAngVector<W> {
+    rotvec + by
+}
+
+/// The angle of a body after two rotations.
+pub(crate) fn composed_rotation(rotvec: AngVector, by: AngVector) -> AngVector {
     rotvec + by
 }

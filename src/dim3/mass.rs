@@ -5,9 +5,7 @@
 //! digits. Jacobi's rotations need square roots alone and are accurate to the last few bits.
 
 use crate::base::measure::is_point;
-use crate::dim::math::{
-    AngVector, AngularInertia, Matrix, Real, Rotation, Vector, rotation_is_valid,
-};
+use crate::dim::math::{AngVector, Matrix, Real, Rotation, Vector, rotation_is_valid};
 use parry::mass_properties::MassProperties;
 
 /// Sweeps of Jacobi's method. It converges quadratically: three or four do in either precision.
@@ -144,43 +142,6 @@ pub fn angular_momentum(mass: &MassProperties, rotation: Rotation, angvel: AngVe
     to_world * (mass.principal_inertia() * (to_world.inverse() * angvel))
 }
 
-/// The inverse inertia, in world space, of a body that rotates by `rotvec` in a step. `None`: that with which
-/// the step begins will do.
-///
-/// Contacts take one inertia for all of the step. Let a rod with the moments `A` and `C ≪ A` rotate by `θ`.
-/// The moment about its initial axis becomes `C cos² θ + A sin² θ`. With less, contacts would accelerate the
-/// rod about an axis that is no longer its own, with many times the energy that the contact computes. Each
-/// moment therefore counts as at least `θ²` times the moments that rotate into it. Whirled thin rods get less
-/// spin about their axis, and rods that fall without spin, rest, roll, or spin about their axis are
-/// unaffected. (Including the rotation that an impact will cause keeps energy a little better, and is wrong.
-/// A rod that lands level must bounce aside and spin by its edge, independent of the step rate.)
-///
-/// Rotating the inertias of contacts in each substep, as joints do, has another error. A contact that removes
-/// an impulse of the last substep would no longer remove its effect.
-pub(crate) fn inv_inertia_during_rotation(
-    mass: &MassProperties,
-    rotation: Rotation,
-    rotvec: AngVector,
-) -> Option<AngularInertia> {
-    let inverse = mass.inv_principal_inertia;
-    let (low, high) = (inverse.min_element(), inverse.max_element());
-    let matters = low > 0.0 && rotvec.length_squared() * high > low;
-    if !matters {
-        return None;
-    }
-    let local = (rotation * mass.principal_inertia_local_frame).inverse() * rotvec;
-    let squares = (local * local).min(Vector::ONE);
-    let moments = mass.principal_inertia();
-    let least = |axis: usize| {
-        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-        let turned_in = squares[next] * (moments[last] - moments[axis]);
-        moments[axis].max(turned_in).max(squares[last] * (moments[next] - moments[axis]))
-    };
-    let inv_principal_inertia = Vector::from_array([0, 1, 2].map(least)).recip();
-    let felt = MassProperties { inv_principal_inertia, ..*mass };
-    Some(felt.world_inv_inertia(&rotation))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -201,27 +162,6 @@ mod tests {
         assert!(total.local_com.length() < 1.0e-6);
         assert!(momentum(&total).abs_diff_eq(momentum(&whole), 1.0e-4));
         assert!(mass_is_valid(&total));
-    }
-
-    /// A rod that rotates about its middle counts with `θ²` times the large moment about its axis. One that
-    /// rotates about its axis, or a cube, is unaffected.
-    #[test]
-    fn rotations_couple_the_principal_moments() {
-        let rod = Cuboid::new(Vector::new(1.0, 0.03, 0.03)).mass_properties(1.0);
-        let [short, long] = [rod.principal_inertia().x, rod.principal_inertia().y];
-        let felt =
-            |rotvec: AngVector| inv_inertia_during_rotation(&rod, Rotation::IDENTITY, rotvec);
-        let about_middle = felt(Vector::Y * 0.3).unwrap();
-        let expected = 0.3 * 0.3 * (long - short);
-        assert!((about_middle.m11 * expected - 1.0).abs() < 1.0e-4);
-        assert!((about_middle.m33 * long - 1.0).abs() < 1.0e-4);
-        let about_itself = felt(Vector::X * 0.3).unwrap();
-        assert!((about_itself.m11 * short - 1.0).abs() < 1.0e-4);
-        assert!(felt(Vector::Y * 0.02).is_none());
-        let cube = Cuboid::new(Vector::ONE).mass_properties(1.0);
-        let moment = cube.principal_inertia().x;
-        let of_cube = inv_inertia_during_rotation(&cube, Rotation::IDENTITY, Vector::Y);
-        assert!(of_cube.is_none_or(|felt| (felt.m11 * moment - 1.0).abs() < 1.0e-4));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::math::{ANGLE_SQUARED_MAX, AngVector, Real};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector, cross};
 use crate::base::trig::{ATAN_P, ATAN_Q};
 use crate::base::turning::{cosine_and_sine, wide_cosine_and_sine};
-use crate::base::wide::Wide;
+use crate::base::wide::{Kernel, Simd, Wide};
 use core::f64::consts::TAU;
 
 /// Largest angle (rad) at which [`turned_further`] uses the series.
@@ -95,6 +95,28 @@ pub(crate) fn turned_further<W: Wide>(
     }
 }
 
+/// The rotation vector of a rotation of one body by `rotvec` and then by `by`, both of any size.
+pub(crate) fn composed_rotation(rotvec: AngVector, by: AngVector) -> AngVector {
+    Simd::baseline().run(Compose { rotvec, by })
+}
+
+/// See [`composed_rotation`].
+struct Compose {
+    rotvec: AngVector,
+    by: AngVector,
+}
+
+impl Kernel for Compose {
+    type Output = AngVector;
+
+    #[inline(always)]
+    fn run<W: Wide>(self) -> AngVector {
+        let mut lanes = WideVector::ZERO;
+        composed(WideVector::<W>::splat(self.rotvec), WideVector::splat(self.by)).store(&mut lanes);
+        lanes.lane(0)
+    }
+}
+
 /// The same for rotations of any size: of all rotation vectors that lead there the one that is nearest to the
 /// sum.
 #[inline(always)]
@@ -148,7 +170,7 @@ pub(crate) fn turned_inertia<W: Wide>(
 mod tests {
     use super::*;
     use crate::base::random::Random;
-    use crate::base::wide::{Kernel, LANES, Lane, Simd};
+    use crate::base::wide::{LANES, Lane};
     use crate::dim::math::{
         AngularInertia, Rotation, Vector, integrate_rotation, rotation_to_angle,
     };

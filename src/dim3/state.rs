@@ -6,8 +6,9 @@
 
 use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
 use super::rotation_vector::{unit_quaternion, wide_unit_quaternion};
-use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
+use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector, select_ang};
 use crate::base::wide::Wide;
+use core::ops::Sub;
 
 /// Marks a body index of a constraint whose body the constraint must not write: a fixed or kinematic
 /// one, or the world. Such bodies may be in many constraints that are solved at the same time.
@@ -67,10 +68,11 @@ impl BodyState {
         (Vector::new(s[0], s[1], s[2]), Vector::new(s[3], s[4], s[5]))
     }
 
-    /// Recomputes the stored rotation from the rotation of the displacement.
-    #[inline]
-    pub fn update_rotation(&mut self) {
-        let (scale, real) = unit_quaternion(self.displacement().1);
+    /// Replaces the displacement and the rotation, of which the state stores a second form.
+    pub fn set_displacement(&mut self, at: Vector, rotvec: AngVector) {
+        self.0[MOTION_LEN..][..3].copy_from_slice(&at.to_array());
+        self.0[MOTION_LEN + 3..][..3].copy_from_slice(&rotvec.to_array());
+        let (scale, real) = unit_quaternion(rotvec);
         (self.0[STATE_LEN - 2], self.0[STATE_LEN - 1]) = (scale, real);
     }
 
@@ -139,6 +141,32 @@ impl BodyPose {
 pub(crate) struct WideMotion<W> {
     pub linear: WideVector<W>,
     pub angular: WideAngVector<W>,
+}
+
+impl<W: Wide> WideMotion<W> {
+    /// One motion in the lanes of a mask, another elsewhere.
+    #[inline(always)]
+    pub fn select(mask: W::Mask, yes: Self, no: Self) -> Self {
+        Self {
+            linear: WideVector::select(mask, yes.linear, no.linear),
+            angular: select_ang(mask, yes.angular, no.angular),
+        }
+    }
+
+    /// No motion in any lane.
+    #[inline(always)]
+    pub fn none() -> Self {
+        Self { linear: WideVector::zero(), angular: WideVector::zero() }
+    }
+}
+
+impl<W: Wide> Sub for WideMotion<W> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { linear: self.linear - other.linear, angular: self.angular - other.angular }
+    }
 }
 
 /// Displacement and rotation of one body per lane since the step began.

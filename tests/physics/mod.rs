@@ -24,3 +24,4 @@ mod pushes;
 mod sleeping;
 mod stacks;
 mod tipping;
+mod welded;

@@ -47,15 +47,10 @@ pub(crate) fn prepare<W: Wide>(
 ) -> WideFriction<W> {
     let t = pair.frame.t;
     let center = center(points, prediction);
-    let height = center.y;
-    let height2 = height + pair.offset.y;
-    let [i1, i2] = pair.inv_inertia;
-    let linear = t.dot(t.component_mul(pair.inv_mass[0] + pair.inv_mass[1]));
-    let angular = height * height * i1 + height2 * height2 * i2;
     WideFriction {
-        height,
+        height: center.y,
         coefficient: W::load(&input.friction),
-        mass: invert(linear + angular),
+        mass: mass(pair, center.y),
         surface_velocity: t.dot(WideVector::load(&input.tangent_velocity))
             - pair.turn(center, turning),
         impulse: t.dot(WideVector::load(&input.friction_impulse)),
@@ -76,6 +71,37 @@ pub(crate) fn solve<W: Wide>(
     let added = friction.solve(&frame, c, velocities, normal_impulse);
     friction.impulse.store(&mut block.friction.impulse);
     friction.apply(added, block, &frame, velocities)
+}
+
+/// Computes the effective mass of the row anew.
+#[inline(always)]
+pub(crate) fn write_masses<W: Wide>(
+    block: &mut ContactBlock,
+    _: Option<&mut CoulombBlock>,
+    pair: &Pair<W>,
+) {
+    mass(pair, W::load(&block.friction.height)).store(&mut block.friction.mass);
+}
+
+/// The effective mass of the row of a friction centre at this height.
+#[inline(always)]
+fn mass<W: Wide>(pair: &Pair<W>, height: W) -> W {
+    let t = pair.frame.t;
+    let height2 = height + pair.offset.y;
+    let [i1, i2] = pair.inv_inertia;
+    let linear = t.dot(t.component_mul(pair.inv_mass[0] + pair.inv_mass[1]));
+    invert(linear + (height * height * i1 + height2 * height2 * i2))
+}
+
+/// The velocities after the friction impulse of a block has acted.
+#[inline(always)]
+pub(crate) fn apply<W: Wide>(
+    block: &ContactBlock,
+    _: Option<&CoulombBlock>,
+    velocities: [WideMotion<W>; 2],
+) -> [WideMotion<W>; 2] {
+    let friction = WideFriction::load(&block.friction);
+    friction.apply(friction.impulse, block, &Frame::load(block), velocities)
 }
 
 /// The friction centre.

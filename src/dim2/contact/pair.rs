@@ -58,8 +58,8 @@ impl<W: Wide> Pair<W> {
 
     /// The angular part of `J_i M⁻¹ J_jᵀ` of two points, with `ρ × n = ρₜ`.
     #[inline(always)]
-    pub fn angular_part(&self, i: WideVector<W>, j: WideVector<W>) -> W {
-        let (a, b, c) = (i.x, j.x, self.offset.x);
+    pub fn angular_part(&self, [a]: [W; 1], [b]: [W; 1]) -> W {
+        let c = self.offset.x;
         self.inv_inertia[0] * a * b + self.inv_inertia[1] * (a + c) * (b + c)
     }
 }

@@ -86,6 +86,22 @@ impl CoulombBlock {
         }
     }
 
+    /// Computes the effective masses anew.
+    #[inline(always)]
+    pub(super) fn write_masses<W: Wide>(&mut self, block: &ContactBlock, pair: &Pair<W>) {
+        for k in 0..MAX_MANIFOLD_POINTS {
+            let point = self.point(k, block);
+            tangent_mass(pair, point).store(&mut self.0[k].mass);
+        }
+    }
+
+    /// Copies the effective masses of a lane.
+    pub fn copy_masses(&mut self, lane: usize, from: &Self) {
+        for (to, from) in self.0.iter_mut().zip(&from.0) {
+            to.mass.copy_lane(lane, &from.mass);
+        }
+    }
+
     /// Applies the impulses with which the step starts.
     #[inline(always)]
     pub(super) fn warm_start<W: Wide>(

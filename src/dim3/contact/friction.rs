@@ -53,14 +53,14 @@ pub(crate) fn prepare<W: Wide>(
     let (center, radius) = center(points, prediction);
     let frame = &pair.frame;
     let [x, y] = frame.tangential(WideVector::load(&input.friction_impulse));
-    let (tangents, torsional_coupling) = tangent_matrix(pair, center);
     let [vx, vy] = frame.tangential(WideVector::load(&input.tangent_velocity));
     let [tx, ty] = pair.turn(center, turning);
+    let (tangent_mass, torsional_mass, torsional_coupling) = masses(pair, center);
     WideFriction {
         center,
         coefficient: W::load(&input.friction),
-        tangent_mass: TangentMass::of(tangents),
-        torsional_mass: invert(pair.inv_inertia[0].m33 + pair.inv_inertia[1].m33),
+        tangent_mass,
+        torsional_mass,
         radius,
         torsional_coupling,
         surface_velocity: [vx - tx, vy - ty],
@@ -85,6 +85,45 @@ pub(crate) fn solve<W: Wide>(
     let added = friction.solve(&frame, c, velocities, normal_impulse);
     store(friction.impulse, &mut block.friction.impulse);
     friction.apply(added, block, &frame, velocities)
+}
+
+/// Computes the effective masses of the rows anew.
+#[inline(always)]
+pub(crate) fn write_masses<W: Wide>(
+    block: &mut ContactBlock,
+    coulomb: Option<&mut CoulombBlock>,
+    pair: &Pair<W>,
+) {
+    let (tangents, torsional, coupling) = masses(pair, WideVector::load(&block.friction.center));
+    tangents.store(&mut block.friction.tangent_mass);
+    torsional.store(&mut block.friction.torsional_mass);
+    store(coupling, &mut block.friction.torsional_coupling);
+    coulomb.into_iter().for_each(|rows| rows.write_masses(block, pair));
+}
+
+/// The effective masses of the tangential rows and of the torsional row, and their coupling.
+#[inline(always)]
+fn masses<W: Wide>(pair: &Pair<W>, center: WideVector<W>) -> (TangentMass<W>, W, [W; 2]) {
+    let (tangents, coupling) = tangent_matrix(pair, center);
+    let torsional = invert(pair.inv_inertia[0].m33 + pair.inv_inertia[1].m33);
+    (TangentMass::of(tangents), torsional, coupling)
+}
+
+/// The velocities after all friction impulses of a block have acted.
+#[inline(always)]
+pub(crate) fn apply<W: Wide>(
+    block: &ContactBlock,
+    coulomb: Option<&CoulombBlock>,
+    velocities: [WideMotion<W>; 2],
+) -> [WideMotion<W>; 2] {
+    let frame = Frame::load(block);
+    match coulomb {
+        Some(rows) => rows.warm_start(block, &frame, velocities),
+        None => {
+            let friction = WideFriction::load(&block.friction);
+            friction.apply(friction.impulse, block, &frame, velocities)
+        }
+    }
 }
 
 /// The friction centre, and the mean distance of the points from it.

@@ -48,7 +48,10 @@ mod tests;
 use super::math::Real;
 pub(crate) use block::ContactBlock;
 pub(crate) use coulomb::CoulombBlock;
-pub(crate) use friction::{prepare as prepare_friction, solve as solve_friction};
+pub(crate) use friction::{
+    apply as apply_friction, prepare as prepare_friction, solve as solve_friction,
+    write_masses as write_friction_masses,
+};
 pub(crate) use pair::Pair;
 pub(crate) use rows::{Frame, NormalImpulse, NormalRow};
 pub(crate) use tangents::PointTangentMass;

@@ -68,11 +68,11 @@ impl<W: Wide> Pair<W> {
 
     /// The angular part of `J_i M⁻¹ J_jᵀ` of two points, with `ρ × n = (ρ₂, -ρ₁, 0)`.
     #[inline(always)]
-    pub fn angular_part(&self, i: WideVector<W>, j: WideVector<W>) -> W {
+    pub fn angular_part(&self, [ix, iy]: [W; 2], [jx, jy]: [W; 2]) -> W {
         let c = self.offset;
         let [i1, i2] = self.inv_inertia;
-        arm_product(i1, [i.x, i.y], [j.x, j.y])
-            + arm_product(i2, [i.x + c.x, i.y + c.y], [j.x + c.x, j.y + c.y])
+        arm_product(i1, [ix, iy], [jx, jy])
+            + arm_product(i2, [ix + c.x, iy + c.y], [jx + c.x, jy + c.y])
     }
 }
 

@@ -131,7 +131,7 @@ pub struct ContactManifoldData {
     pub user_data: u32,
     /// Friction impulse of the last substep in world space, at the manifold's friction centre.
     pub(crate) last_friction: Vector,
-    /// The same, with which the next step starts ([`Contact::warmstart_impulse`]).
+    /// Friction impulse with which the next step starts ([`Contact::warmstart_impulse`]), likewise.
     pub(crate) warmstart_friction: Vector,
     /// Torsional-friction impulse of the last substep about the normal (3D).
     pub(crate) warmstart_torsion: Real,

@@ -185,6 +185,13 @@ impl IslandManager {
         })
     }
 
+    /// Returns whether welds hold the bodies of two colliders rigidly at each other.
+    pub(crate) fn weld_colliders(&self, collider1: &Collider, collider2: &Collider) -> bool {
+        collider1.parent().zip(collider2.parent()).is_some_and(|(body1, body2)| {
+            self.joints.weld([body1, body2].map(|body| body.into_raw_parts().0))
+        })
+    }
+
     /// The motion of the body in a slot in the last step.
     #[inline]
     pub(crate) fn motion_of(&self, body_slot: u32) -> &BodyMotion {

@@ -3,13 +3,15 @@
 //! The user owns the set of joints; this table is the step's view of it. It changes where islands change, and
 //! only there.
 
+use super::welds::WeldGroups;
 use super::{GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, JointEnabled};
 use crate::base::fault::{Fault, ensure};
 use crate::base::in_place::clone_in_place;
 use crate::dim::joint_axes::JointAxesMask;
-use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::constraint_graph::ColorSlot;
 use crate::model::state_hash::hash_of_poses;
+use core::mem;
 use std::collections::BTreeSet;
 
 /// The kind of a joint's constraint.
@@ -22,6 +24,8 @@ pub(crate) struct JointForm {
     pub driven: u8,
     /// Whether it locks exactly the translations, without limits, motors and springs.
     pub is_point_to_point: bool,
+    /// Whether it locks all axes, without springs.
+    pub is_weld: bool,
     /// Whether it is a [`Transmission`](super::Transmission).
     pub is_transmission: bool,
 }
@@ -35,7 +39,9 @@ impl JointForm {
             && drives.is_empty()
             && joint.spring().is_none();
         let driven = if drives.is_empty() { 0 } else { joint.driven_axes().count() as u8 };
-        Self { locked: joint.locked_axes.bits(), driven, is_point_to_point, is_transmission }
+        let locked = joint.locked_axes.bits();
+        let is_weld = joint.locked_axes.is_all() && joint.spring().is_none();
+        Self { locked, driven, is_point_to_point, is_weld, is_transmission }
     }
 
     /// Returns whether it locks a rotation.
@@ -127,9 +133,20 @@ pub(crate) struct JointLinks {
     pub blocked: Vec<(ImpulseJointHandle, bool)>,
     /// Joints that a program made, moved an anchor of, or moved a body of; to be written back.
     pub displaced: Vec<ImpulseJointHandle>,
+    weld_groups: WeldGroups,
+    /// Whether welds began or ceased to act since their groups were found.
+    pub welds_changed: bool,
 }
 
-clone_in_place!(JointLinks { links, of_body, orphans, blocked, displaced });
+clone_in_place!(JointLinks {
+    links,
+    of_body,
+    orphans,
+    blocked,
+    displaced,
+    weld_groups,
+    welds_changed
+});
 
 impl JointLinks {
     /// The joint in a slot.
@@ -230,5 +247,33 @@ impl JointLinks {
             self.get(slot)
                 .is_some_and(|link| link.parts_bodies && link.body_slots().contains(&body_slot2))
         })
+    }
+
+    /// Returns whether welds hold the bodies in these slots rigidly at each other.
+    pub fn weld(&self, body_slots: [u32; 2]) -> bool {
+        self.weld_groups.hold(body_slots)
+    }
+
+    /// Finds the bodies that welds hold at each other. Returns the groups of before if welds have changed.
+    pub fn regroup_welded(&mut self, bodies: &RigidBodySet) -> Option<WeldGroups> {
+        if !mem::take(&mut self.welds_changed) {
+            return None;
+        }
+        let is_dynamic =
+            |body: RigidBodyHandle| bodies.get(body).is_some_and(RigidBody::is_dynamic);
+        let groups = self.groups_of_welds(|link| link.bodies.into_iter().all(is_dynamic));
+        Some(mem::replace(&mut self.weld_groups, groups))
+    }
+
+    /// The groups of welds that act and of which both bodies are dynamic.
+    pub fn groups_of_welds(&self, are_dynamic: impl Fn(&JointLink) -> bool) -> WeldGroups {
+        let links = self.iter().map(|(_, link)| link);
+        let welds = links.filter(|link| link.attached && link.form.is_weld && are_dynamic(link));
+        WeldGroups::of(welds.map(JointLink::body_slots))
+    }
+
+    /// The bodies that welds hold at each other.
+    pub fn weld_groups(&self) -> &WeldGroups {
+        &self.weld_groups
     }
 }

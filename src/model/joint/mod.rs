@@ -20,6 +20,7 @@ mod set;
 mod spring;
 mod spring_joint;
 mod transmission;
+mod welds;
 pub(crate) mod views;
 
 pub use builder::GenericJointBuilder;

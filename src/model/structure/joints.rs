@@ -90,7 +90,8 @@ impl Structure<'_> {
     fn attach_joint(&mut self, slot: u32) {
         let Some(link) = self.islands.joints.get_mut(slot) else { return };
         link.attached = true;
-        let slots = link.body_slots();
+        let (slots, is_weld) = (link.body_slots(), link.form.is_weld);
+        self.islands.joints.welds_changed |= is_weld;
         if let [Some(slot1), Some(slot2)] = self.dynamic_slots(slots) {
             self.link(slot1, slot2);
         }
@@ -103,7 +104,8 @@ impl Structure<'_> {
         if !core::mem::replace(&mut link.attached, false) {
             return;
         }
-        let slots = link.body_slots();
+        let (slots, is_weld) = (link.body_slots(), link.form.is_weld);
+        self.islands.joints.welds_changed |= is_weld;
         self.update_joint_color(slot);
         if let [Some(slot1), Some(_)] = self.dynamic_slots(slots)
             && let Some(island) = self.body(slot1).map(|body| body.link.island)

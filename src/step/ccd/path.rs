@@ -239,6 +239,7 @@ impl<'a> Mover<'a> {
             && own.solver_groups().test(others.solver_groups())
             && !hooks.contains(ActiveHooks::MODIFY_SOLVER_CONTACTS)
             && !search.context.islands.part_colliders(own, others)
+            && !search.context.islands.weld_colliders(own, others)
             && (!hooks.contains(ActiveHooks::FILTER_CONTACT_PAIRS)
                 || lets_solver_push(search.context.hooks, &self.filter_context(other, search)))
     }

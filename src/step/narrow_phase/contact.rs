@@ -341,11 +341,9 @@ fn finish(manifold: &mut ContactManifold, view: &PairView<'_>) {
     );
     let [dominance1, dominance2] = view.bodies.map(RigidBody::dominance_of);
     data.relative_dominance = dominance1 - dominance2;
-    data.solver_flags = if c1.solver_groups().test(c2.solver_groups()) {
-        SolverFlags::COMPUTE_RIGID_IMPULSES
-    } else {
-        SolverFlags::empty()
-    };
+    let is_solved = c1.solver_groups().test(c2.solver_groups()) && !view.are_welded();
+    data.solver_flags =
+        if is_solved { SolverFlags::COMPUTE_RIGID_IMPULSES } else { SolverFlags::empty() };
 }
 
 /// Calls the user's hook for the contacts.

@@ -12,10 +12,11 @@
 //! velocity that the bias added.
 //!
 //! **Warm starting without passes.** A substep should begin with the impulses of the last one. Moment arms
-//! and inertias of contacts are frozen during a step (joints rotate theirs). Warm-start impulses therefore
-//! have the same effect on a body as in the last substep. That effect is the difference between the velocity
-//! at the end of that substep and before any impulse. The solver stores the latter per body and adds the
-//! difference, instead of visiting all constraints.
+//! and inertias of contacts are frozen during a step (joints rotate theirs, and so do the contacts of thin
+//! bodies: `contacts/follow.rs`). Warm-start impulses therefore have the same effect on a body as in the last
+//! substep. That effect is the difference between the velocity at the end of that substep and before any
+//! impulse. The solver stores the latter per body and adds the difference, instead of visiting all
+//! constraints.
 
 mod axis_law;
 mod blocks;
@@ -216,6 +217,7 @@ impl Constraints {
     ) {
         let Self { joints, contacts, multibodies, .. } = self;
         multibodies.prepare(contacts.of_links(), input, bodies, pass);
+        bodies.note_joints(joints.held());
         joints.warm_start(bodies, pass);
         contacts.prepare_and_warm_start(bodies, pass);
         multibodies.warm_start(bodies);
@@ -245,6 +247,7 @@ impl Constraints {
             bodies.integrate_positions(pass);
             joints.correct_poses(bodies, pass.substep);
             multibodies.integrate_positions(input, bodies, pass);
+            contacts.follow(bodies, pass);
             for pass in pass.relaxations() {
                 joints.relax(bodies, &pass);
                 contacts.relax(bodies, &pass);

@@ -2,7 +2,9 @@
 
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_adjacent};
-use crate::dim::math::{AngVector, Real, SPATIAL_DIM, Vector};
+use crate::dim::math::{AngVector, Real, SPATIAL_DIM, SpatialVector, Vector};
+use crate::dim::rotation_vector::composed_rotation;
+use crate::dim::spatial::{angular, linear};
 use crate::dim::state::{
     BodyPose, BodyState, MOTION_LEN, POSE_LEN, READ_ONLY, STATE_LEN, WRITTEN_LEN, WideDisplacement,
     WideMotion, WidePose, WideState, motions, numbers, pose,
@@ -24,13 +26,11 @@ impl BodyState {
         }
     }
 
-    /// Adds to the linear and then the angular components of the displacement.
-    #[inline]
-    pub fn add_displacement(&mut self, change: [Real; SPATIAL_DIM]) {
-        for (value, change) in self.0[MOTION_LEN..].iter_mut().zip(change) {
-            *value += change;
-        }
-        self.update_rotation();
+    /// Moves further by the linear components, and rotates further by the angular ones.
+    pub fn add_displacement(&mut self, change: SpatialVector) {
+        let (at, rotvec) = self.displacement();
+        let rotvec = composed_rotation(rotvec, angular(&change));
+        self.set_displacement(at + linear(&change), rotvec);
     }
 
     /// Returns whether a body moved exactly as another since the step began.

@@ -39,11 +39,14 @@ impl UserChanges<'_> {
         let blocked = !bodies.into_iter().all(takes_part);
         self.structure.islands.joints.blocked.push((handle, blocked));
         let slot = handle.into_raw_parts().0;
+        let mut is_weld_edited = false;
         let known = self.structure.islands.joints.get_mut(slot).map(|known| {
+            is_weld_edited = known.form.is_weld != link.form.is_weld;
             let is_placed = known.form.locked == link.form.locked && known.frames == link.frames;
             (known.form, known.frames) = (link.form, link.frames);
             (*known, is_placed)
         });
+        self.structure.islands.joints.welds_changed |= is_weld_edited;
         if !known.is_some_and(|(_, is_placed)| is_placed) {
             self.structure.islands.joints.displaced.push(handle);
         }
@@ -73,6 +76,24 @@ impl UserChanges<'_> {
         self.structure.remove_joint(slot, wake_up);
         if link.parts_bodies {
             link.bodies.into_iter().for_each(|body| self.update_partners(body));
+        }
+    }
+
+    /// Contacts of bodies that welds began or ceased to hold at each other are computed again.
+    pub(super) fn apply_welds(&mut self) {
+        let Structure { bodies, islands, narrow_phase, .. } = &mut self.structure;
+        let Some(before) = islands.joints.regroup_welded(bodies) else { return };
+        let (now, contacts) = (islands.joints.weld_groups(), &mut narrow_phase.contacts);
+        let differing = now.differing(&before).filter_map(|slot| bodies.get_unknown_gen(slot));
+        for collider in differing.flat_map(|(body, _)| body.colliders.iter()) {
+            for k in 0..contacts.ids_of(collider.into_raw_parts().0).len() {
+                let id = contacts.ids_of(collider.into_raw_parts().0)[k];
+                let slots = contacts.bodies(id);
+                if now.hold(slots) != before.hold(slots) {
+                    contacts.wake(id);
+                    contacts.invalidate(id);
+                }
+            }
         }
     }
 

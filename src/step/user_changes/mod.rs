@@ -68,6 +68,7 @@ impl UserChanges<'_> {
             self.reweigh(note);
         }
         self.apply_joints();
+        self.apply_welds();
         self.apply_multibodies();
         self.apply_sleepers(&bodies);
     }

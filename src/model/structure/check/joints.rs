@@ -4,7 +4,7 @@ use super::colors::Colors;
 use super::last_step::LastStep;
 use super::{Depth, Structure, Verdict};
 use crate::base::fault::ensure;
-use crate::model::joint::ImpulseJointSet;
+use crate::model::joint::{ImpulseJointSet, JointLink};
 
 impl Structure<'_> {
     /// The bodies of an active joint are in one island, and it has a colour while one of them is awake.
@@ -24,6 +24,15 @@ impl Structure<'_> {
                 link.attached && dynamic.iter().flatten().any(|&body| then.is_awake(body));
             colors.check(slot, link.slot, is_solved, slots, then)?;
         }
+        let are_dynamic =
+            |link: &JointLink| then.dynamic(link.body_slots()).iter().all(Option::is_some);
+        let joints = &self.islands.joints;
+        let groups = joints.groups_of_welds(are_dynamic);
+        let slot = joints.weld_groups().differing(&groups).next();
+        ensure!(
+            joints.welds_changed || slot.is_none(),
+            "body {slot:?} is in a wrong group of welds"
+        );
         colors.finish()
     }
 

@@ -5,9 +5,8 @@ use super::{ImpulseFractions, NEAR_REST, SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
 use crate::base::measure::COORDINATE_MODERATE_MAX;
 use crate::base::tasks::Tasks;
-use crate::dim::mass::inv_inertia_during_rotation;
-use crate::dim::math::{AngularInertia, Real, Rotation, Vector, ang_length_squared};
-use crate::dim::motion::FreeMotion;
+use crate::dim::math::{Real, Rotation, Vector, ang_length_squared};
+use crate::dim::motion::{FreeMotion, is_uneven};
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
 use crate::model::contact::AnchorFrame;
@@ -40,6 +39,7 @@ impl SolverBodies {
             self.any_far |= self.load_members(order, members, bodies, &context, h, tasks);
         }
         self.any_scaled = self.impulse_fractions.iter().any(|it| it.of_contacts < 1.0);
+        self.any_uneven = self.uneven.contains(&true);
     }
 
     /// Allocates states for some bodies, which fill all of them, and for the world.
@@ -54,6 +54,7 @@ impl SolverBodies {
         self.before.resize(count + 1, BodyState::default());
         self.motions.resize(count + 1, FreeMotion::at_rest(Rotation::IDENTITY));
         self.impulse_fractions.resize(count + 1, ImpulseFractions::ALL);
+        self.uneven.resize(count + 1, false);
         self.islands.resize(count + 1, NONE);
         // SAFETY: the index is in range, and this task owns it exclusively.
         unsafe { self.places().at(0).clear() };
@@ -69,6 +70,7 @@ impl SolverBodies {
             last: DisjointMut::new(&mut self.last),
             motions: DisjointMut::new(&mut self.motions),
             impulse_fractions: DisjointMut::new(&mut self.impulse_fractions),
+            uneven: DisjointMut::new(&mut self.uneven),
             islands: DisjointMut::new(&mut self.islands),
         }
     }
@@ -124,6 +126,7 @@ struct Place<'a> {
     before: &'a mut BodyState,
     motion: &'a mut FreeMotion,
     impulse_fractions: &'a mut ImpulseFractions,
+    is_uneven: &'a mut bool,
     island: &'a mut u32,
 }
 
@@ -134,6 +137,7 @@ impl Place<'_> {
         (*self.state, *self.before) = (BodyState::AT_REST, BodyState::AT_REST);
         *self.motion = FreeMotion::at_rest(Rotation::IDENTITY);
         (*self.impulse_fractions, *self.island) = (ImpulseFractions::ALL, NONE);
+        *self.is_uneven = false;
     }
 
     /// A body that is solved with the substep `h`.
@@ -142,10 +146,10 @@ impl Place<'_> {
             let velocity = body.velocity_to_next_position(context.params.inv_dt());
             (body.vels.linvel, body.vels.angvel) = (velocity.linvel, velocity.angvel);
         }
-        let share = if body.substep > 0.0 { h / body.substep } else { 1.0 };
+        let fraction = if body.substep > 0.0 { h / body.substep } else { 1.0 };
         *self.impulse_fractions = ImpulseFractions {
-            of_joints: share.min(1.0),
-            of_contacts: (share / body.reference_ratio).min(1.0),
+            of_joints: fraction.min(1.0),
+            of_contacts: (fraction / body.reference_ratio).min(1.0),
         };
         (body.substep, body.reference_ratio) = (h, context.pace.reference_ratio);
         *self.motion = if body.is_dynamic() {
@@ -154,23 +158,15 @@ impl Place<'_> {
             FreeMotion::at_rest(body.pose.rotation)
         };
         let mprops = &body.mprops;
-        let of_contacts = contact_inv_inertia(body, context.params.dt);
-        let inv_inertia = of_contacts.as_ref().unwrap_or(&mprops.inv_inertia);
-        let center = mprops.world_com;
+        *self.is_uneven = body.is_dynamic()
+            && mprops.rotates_freely()
+            && is_uneven(&mprops.local_mprops, body.vels.angvel, context.params.dt);
+        let (center, inv_inertia) = (mprops.world_com, &mprops.inv_inertia);
         *self.pose = BodyPose::new(body.pose.rotation, center, mprops.inv_mass, inv_inertia);
         *self.state = BodyState::new(body.vels.linvel, body.vels.angvel);
         *self.before = *self.state;
         *self.island = body.link.island;
     }
-}
-
-/// The inverse inertia for contacts, if it differs from the body's current one.
-fn contact_inv_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
-    let mprops = &body.mprops;
-    if !body.is_dynamic() || !mprops.rotates_freely() {
-        return None;
-    }
-    inv_inertia_during_rotation(&mprops.local_mprops, body.pose.rotation, body.vels.angvel * dt)
 }
 
 /// The places of all bodies, to be filled by several threads.
@@ -184,6 +180,7 @@ pub(super) struct Places<'a> {
     pub last: DisjointMut<'a, BodyState>,
     pub motions: DisjointMut<'a, FreeMotion>,
     impulse_fractions: DisjointMut<'a, ImpulseFractions>,
+    uneven: DisjointMut<'a, bool>,
     islands: DisjointMut<'a, u32>,
 }
 
@@ -201,6 +198,7 @@ impl Places<'_> {
                 before: self.before.get_mut(index),
                 motion: self.motions.get_mut(index),
                 impulse_fractions: self.impulse_fractions.get_mut(index),
+                is_uneven: self.uneven.get_mut(index),
                 island: self.islands.get_mut(index),
             }
         }

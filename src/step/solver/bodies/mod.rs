@@ -41,6 +41,10 @@ pub(super) struct SolverBodies {
     /// contacts is less than 1.
     impulse_fractions: Vec<ImpulseFractions>,
     any_scaled: bool,
+    /// By index: whether the inertia changes so much during the step that contacts follow it. The flag is set
+    /// if that of any body does.
+    pub uneven: Vec<bool>,
+    any_uneven: bool,
     /// By index: the island, or [`NONE`].
     pub islands: Vec<u32>,
     /// The indices of moving bodies: the ungrouped ones, and the members of the solved group.
@@ -115,6 +119,11 @@ impl SolverBodies {
         self.any_scaled
     }
 
+    /// Returns whether contacts follow the inertia of any body.
+    pub fn any_uneven(&self) -> bool {
+        self.any_uneven
+    }
+
     /// The fractions of the last impulses with which two bodies begin.
     pub fn impulse_fractions(&self, indices: [u32; 2]) -> ImpulseFractions {
         let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
@@ -149,6 +158,14 @@ impl SolverBodies {
     /// The poses and states, these to be shared among constraints of one colour.
     pub fn shared(&mut self) -> (&[BodyPose], DisjointMut<'_, BodyState>) {
         (&self.poses, DisjointMut::new(&mut self.states))
+    }
+
+    /// The same, and the velocities before any impulse.
+    pub fn shared_before(
+        &mut self,
+    ) -> (&[BodyPose], DisjointMut<'_, BodyState>, DisjointMut<'_, BodyState>) {
+        let (states, before) = (&mut self.states, &mut self.before);
+        (&self.poses, DisjointMut::new(states), DisjointMut::new(before))
     }
 
     /// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
@@ -200,6 +217,11 @@ impl SolverBodies {
                 self.displace(index, join(added_v * -time, added_w * -time));
             }
         }
+    }
+
+    /// Notes the bodies that directly solved joints hold.
+    pub fn note_joints(&mut self, held: impl Iterator<Item = u32>) {
+        held.for_each(|index| self.motions[index as usize].note_joint());
     }
 
     /// Moves a body at once.

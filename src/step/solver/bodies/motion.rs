@@ -2,7 +2,7 @@
 
 use crate::base::wide::{Kernel, LANES, Wide};
 use crate::dim::math::{Real, Vector, mul_inertia};
-use crate::dim::motion::{FreeMotion, accelerated, gyroscopic};
+use crate::dim::motion::{FreeMotion, accelerated, gyroscopic, without_forces};
 use crate::dim::rotation_vector::turned_further;
 use crate::dim::state::{BodyState, WideDisplacement, WideMotion};
 use crate::model::body::RigidBody;
@@ -28,7 +28,7 @@ pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> Fre
 pub(super) struct BodyChunk<'a> {
     pub states: &'a mut [BodyState],
     pub before: &'a mut [BodyState],
-    /// Receives their velocities until now; may be empty.
+    /// Receives the velocities that they have without the forces of this substep; may be empty.
     pub last: &'a mut [BodyState],
     pub motions: &'a mut [FreeMotion],
 }
@@ -70,10 +70,11 @@ impl Kernel for Accelerate<'_> {
             let linear = (velocity.linear - old.linear) * warm_start_coefficient;
             let angular = (velocity.angular - old.angular) * warm_start_coefficient;
             let start = if self.is_first { old } else { velocity };
-            if !last.is_empty() {
-                store_states(last, (start, displacement));
-            }
             let mut free = accelerated(motions, start, self.h);
+            if !last.is_empty() {
+                let angular = without_forces(motions, start.angular, free.angular, self.h);
+                store_states(last, (WideMotion { angular, ..start }, displacement));
+            }
             let (slow, are_faster) = free.linear.clamped(self.speed_max);
             free.linear = slow;
             limited += are_faster.count_ones() as usize;

@@ -47,9 +47,8 @@ pub(in crate::step::solver) unsafe fn prepare<W: Wide>(
     write_points(block, &pair, &points);
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
-    let [first, second] = bodies.velocities;
-    let turning =
-        Turning { angvels: [first.angular, second.angular], half_step: W::splat(half_step) };
+    let half_step = W::splat(half_step);
+    let turning = Turning { angvels: bodies.velocities.map(|motion| motion.angular), half_step };
     let friction = prepare_friction(input, &pair, &points, W::splat(prediction), turning);
     bodies.velocities = friction.begin(input, block, coulomb, &pair, &points, bodies.velocities);
     bodies.velocities = warm_start(block, &frame, &points, bodies.velocities);
@@ -85,25 +84,38 @@ fn read_points<W: Wide>(
     points
 }
 
-/// The rows of the points, and how they act on each other: `K_ij = J_i M⁻¹ J_jᵀ`.
+/// The rows of the points.
 #[inline(always)]
 fn write_points<W: Wide>(
     block: &mut ContactBlock,
     pair: &Pair<W>,
     points: &[WidePoint<W>; MAX_MANIFOLD_POINTS],
 ) {
+    for (point, row) in points.iter().zip(&mut block.points) {
+        row.store_place(point.local);
+        point.separation.store(&mut row.separation);
+        point.impulse.store(&mut row.impulse);
+    }
+    write_masses(block, pair, points.map(|point| point.present));
+}
+
+/// The effective masses of the present points (1, absent: 0), and how points act on each other: `K_ij =
+/// J_i M⁻¹ J_jᵀ`.
+#[inline(always)]
+pub(super) fn write_masses<W: Wide>(
+    block: &mut ContactBlock,
+    pair: &Pair<W>,
+    present: [W; MAX_MANIFOLD_POINTS],
+) {
     let n = pair.frame.n;
     let linear = n.dot(n.component_mul(pair.inv_mass[0] + pair.inv_mass[1]));
     let mut pairs = 0;
     for i in 0..MAX_MANIFOLD_POINTS {
-        let (point, row) = (&points[i], &mut block.points[i]);
-        let mass = invert(linear + pair.angular_part(point.local, point.local)) * point.present;
-        row.store_place(point.local);
-        point.separation.store(&mut row.separation);
-        mass.store(&mut row.mass);
-        point.impulse.store(&mut row.impulse);
-        for other in &points[i + 1..] {
-            let coupling = linear + pair.angular_part(point.local, other.local);
+        let place = block.points[i].place();
+        let mass = invert(linear + pair.angular_part(place, place)) * present[i];
+        mass.store(&mut block.points[i].mass);
+        for j in i + 1..MAX_MANIFOLD_POINTS {
+            let coupling = linear + pair.angular_part(place, block.points[j].place());
             coupling.store(&mut block.coupling[pairs]);
             pairs += 1;
         }

@@ -46,7 +46,10 @@
 //! All that holds for one mass matrix `M`. The projected changes are the nearest ones in its metric, which is
 //! that of the kinetic energy. (Moreau, "Unilateral contact and dry friction in finite freedom dynamics",
 //! 1988.) In this metric they still separate the contacts that hit. Contacts use the inertias of the start of
-//! the step. In impacts, joints therefore use these too.
+//! the step, except for uneven bodies (`contacts/follow.rs`). In impacts, joints therefore use these too.
+//!
+//! The energy that counts is that of the mean velocities of the substep. Gyroscopic bodies receive it as it
+//! is (`dimN/motion.rs`), and the changes of their free rotation are not taken for those of a force.
 //!
 //! ## Supported loads
 //! A substep starts with the impulses of the last one, which may be outdated. An impulse that stopped an
@@ -88,7 +91,8 @@ use super::island_sums::IslandSums;
 use super::joints::{Changes, SolverJoints};
 use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
-use crate::base::wide::{LANES, Lane};
+use crate::base::wide::Lane;
+pub(super) use crate::base::wide::lanes;
 use crate::dim::math::Real;
 use crate::model::contact::ContactInput;
 #[cfg(test)]
@@ -322,6 +326,7 @@ impl Impacts {
                 start: &self.touched.start,
                 states: &mut bodies.before,
                 poses: &bodies.poses,
+                uneven: &bodies.uneven,
             };
             context.joints.project(changes, is_moving, add_work, context.pass);
         }
@@ -475,9 +480,4 @@ impl Impacts {
             simd.run(Round { phase, range, blocks, states, times });
         });
     }
-}
-
-/// The lanes whose bits are set.
-pub(super) fn lanes(bits: u32) -> impl Iterator<Item = usize> {
-    (0..LANES).filter(move |lane| bits >> lane & 1 == 1)
 }

@@ -142,6 +142,8 @@ pub(super) struct Changes<'a> {
     pub start: &'a [BodyState],
     pub states: &'a mut [BodyState],
     pub poses: &'a [BodyPose],
+    /// By body: whether contacts follow its inertia.
+    pub uneven: &'a [bool],
 }
 
 impl Changes<'_> {
@@ -266,11 +268,10 @@ impl SolverJoints {
         exact.flat_map(|member| member.bodies).map(|body| body & !READ_ONLY)
     }
 
-    /// Projects the velocity changes since the start of a round on the directly solved joints, in components
-    /// with a `selected` body. The projection uses the current poses and the inertias of contacts. It serves
-    /// impacts. The impulses are stored separately until [`Self::commit_impact_impulses`], and the next step
-    /// does not start with them. `add_work` receives one body of each joint, and the work of the joint's
-    /// impulses at the velocities of the `start`.
+    /// Projects the velocity changes since the start of a round of impacts on the directly solved joints, in
+    /// components with a `selected` body, with the current poses and the inertias of contacts. The impulses
+    /// are stored separately until [`Self::commit_impact_impulses`], and do not start the next step.
+    /// `add_work` receives one body of each joint, and the work of its impulses at the `start` velocities.
     pub fn project(
         &mut self,
         mut changes: Changes<'_>,
@@ -292,7 +293,7 @@ impl SolverJoints {
             simd.run(WriteRows { range, parts, jacobians, states, pass });
         });
         for (block, jacobians) in self.blocks.iter().zip(&mut self.jacobians.blocks) {
-            jacobians.take_inertias(block, changes.poses);
+            jacobians.take_inertias(block, changes.poses, changes.uneven);
         }
         let is_selected = |members: &[DirectJoint]| {
             members.iter().flat_map(DirectJoint::movable).any(|(_, body)| selected(body))

@@ -106,12 +106,11 @@ impl JacobianBlock {
         }
     };
 
-    /// Loads the inverse inertias of contacts.
-    pub fn take_inertias(&mut self, block: &JointBlock, poses: &[BodyPose]) {
+    /// Loads the inverse inertias of contacts: for uneven bodies they are the current ones.
+    pub fn take_inertias(&mut self, block: &JointBlock, poses: &[BodyPose], uneven: &[bool]) {
         for (inertias, bodies) in self.inv_inertia.iter_mut().zip(&block.bodies) {
-            for (lane, &body) in
-                bodies.iter().enumerate().filter(|(_, body)| *body & READ_ONLY == 0)
-            {
+            let movable = bodies.iter().enumerate().filter(|(_, body)| *body & READ_ONLY == 0);
+            for (lane, &body) in movable.filter(|&(_, &body)| !uneven[body as usize]) {
                 set_symmetric_lane(inertias, lane, &poses[body as usize].inv_inertia());
             }
         }

@@ -53,7 +53,13 @@ impl DirectJoint {
         bodies: [READ_ONLY; 2],
         inv_masses: [0.0; 2],
         has_locked_body: false,
-        form: JointForm { locked: 0, driven: 0, is_point_to_point: false, is_transmission: false },
+        form: JointForm {
+            locked: 0,
+            driven: 0,
+            is_point_to_point: false,
+            is_weld: false,
+            is_transmission: false,
+        },
         locked_row_count: 0,
     };
 
