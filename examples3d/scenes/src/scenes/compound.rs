@@ -10,7 +10,7 @@ pub const INFO: SceneInfo = SceneInfo {
     name: "compound",
     description: "Tables with four legs, each a separate collider, and jacks of one compound shape.",
     category: Category::Basics,
-    steps: 360,
+    steps: 450,
     law: Law { overlap_max: 0.01, height_min: 0.0, reach_max: 10.0, speed_max: 0.1, ..Law::NONE },
     source: file!(),
     build,

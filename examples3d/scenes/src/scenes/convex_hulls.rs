@@ -11,7 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Rocks of 5 to 16 corners and all sizes fall into a box.",
     category: Category::Shapes,
     steps: 360,
-    law: Law { overlap_max: 0.02, height_min: -1.0, reach_max: 10.0, speed_max: 0.1, ..Law::NONE },
+    law: Law { overlap_max: 0.02, height_min: -1.0, reach_max: 15.0, speed_max: 0.1, ..Law::NONE },
     source: file!(),
     build,
 };
