@@ -15,7 +15,7 @@ pub(crate) fn rotation_by<W: Wide>(rotvec: WideAngVector<W>) -> WideRotation<W> 
     WideRotation { re: cosine * scale, im: sine * scale }
 }
 
-/// The inverse inertia of a body after a rotation of the body: that of before, in the plane.
+/// The inverse inertia of a body after a rotation of the body: constant in the plane.
 #[inline(always)]
 pub(crate) fn turned_inertia<W: Wide>(
     inv_inertia: WideSymmetric<W>,

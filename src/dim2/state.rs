@@ -6,7 +6,7 @@
 
 use super::math::{AngVector, AngularInertia, Real, Rotation, Vector, integrate_rotation};
 use super::rotation_vector::rotation_by;
-use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector, select_ang};
+use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::wide::{LANES, Wide};
 use core::ops::Sub;
 
@@ -79,7 +79,8 @@ impl BodyState {
     }
 }
 
-/// Data that is constant during a step; read when constraints are prepared.
+/// Data that is constant during a step, except for the inertias of uneven bodies; read when constraints are
+/// prepared.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct BodyPose(pub [Real; POSE_LEN]);
@@ -117,6 +118,11 @@ impl BodyPose {
         self.0[6]
     }
 
+    /// Replaces the inverse inertia.
+    pub fn set_inv_inertia(&mut self, inv_inertia: &AngularInertia) {
+        self.0[6] = *inv_inertia;
+    }
+
     /// Returns whether one translation of the body is locked, and the other one is free.
     pub fn has_locked_axis(&self) -> bool {
         let [x, y] = self.inv_mass().to_array();
@@ -132,15 +138,6 @@ pub(crate) struct WideMotion<W> {
 }
 
 impl<W: Wide> WideMotion<W> {
-    /// One motion in the lanes of a mask, another elsewhere.
-    #[inline(always)]
-    pub fn select(mask: W::Mask, yes: Self, no: Self) -> Self {
-        Self {
-            linear: WideVector::select(mask, yes.linear, no.linear),
-            angular: select_ang(mask, yes.angular, no.angular),
-        }
-    }
-
     /// No motion in any lane.
     #[inline(always)]
     pub fn none() -> Self {

@@ -117,16 +117,6 @@ pub fn select_ang<W: Wide>(
     W::select(mask, yes, no)
 }
 
-/// Chooses between moments of inertia lane by lane.
-#[inline(always)]
-pub fn select_symmetric<W: Wide>(
-    mask: W::Mask,
-    yes: WideSymmetric<W>,
-    no: WideSymmetric<W>,
-) -> WideSymmetric<W> {
-    W::select(mask, yes, no)
-}
-
 /// Reads an inertia per lane from memory.
 #[inline(always)]
 pub fn load_symmetric<W: Wide>(from: &WideSymmetric<Lane>) -> WideSymmetric<W> {

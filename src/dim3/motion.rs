@@ -51,9 +51,8 @@ const ENERGY_CHANGE_FRACTION_MAX: Real = 0.25;
 /// Largest factor by which the energy of a momentum grows that keeps its direction.
 const ENERGY_RATIO_MAX: Real = 4.0;
 
-/// Smallest product of the squared rotation (rad²) of a body in a step and of the relative difference of its
-/// moments of inertia at which contacts follow its inertia. A rod of which one moment is 30 times the other
-/// rotates by 0.03 rad.
+/// A body is uneven if the product of its squared rotation (rad²) in a step and the relative difference of its
+/// moments of inertia exceeds this. A rod with moments of the ratio 30 then rotates by 0.03 rad.
 const UNEVEN_ROTATION_MIN: Real = 0.025;
 /// Rotations (rad) in a step that are too small for any body.
 const UNEVEN_ANGLE_MIN: Real = 0.01;
@@ -307,7 +306,7 @@ struct Gyroscope<W> {
     momentum: WideAngVector<W>,
     /// The angular velocity that goes with it.
     angvel: WideAngVector<W>,
-    /// Whether the body may be in a pile, and whether joints hold it.
+    /// Whether the body may be in a pile, and whether joints hold the body.
     flags: [W; 2],
 }
 
@@ -407,8 +406,9 @@ impl<W: Wide> Gyroscope<W> {
     /// Constraints are solved for that. The energy of the momentum grows by as much with the velocity at
     /// the start. Returns the difference: `Δω·I (ω - ω₀)`.
     ///
-    /// The impulses of a joint do no work on the velocities at the start, which it holds. With the difference
-    /// thrown chains of thin rods gain energy twice as often, so bodies of directly solved joints do without.
+    /// A joint holds the velocities at the start, on which its impulses do no work. With the difference, thrown
+    /// chains of thin rods gain energy twice as often. So the difference is 0 for bodies of directly solved
+    /// joints.
     #[inline(always)]
     fn work_of_lag(&self, change: WideAngVector<W>) -> W {
         let (to_world, momentum) = self.seen_from(self.start);
@@ -433,7 +433,7 @@ impl<W: Wide> Gyroscope<W> {
         let away = (excess + excess) / root.max(W::splat(Real::MIN_POSITIVE));
         let is_near = excess.abs().le(energy * W::splat(ENERGY_CHANGE_FRACTION_MAX));
         let follows = is_near & W::zero().le(square);
-        // The others keep their direction. A momentum of almost 0 has none, and loses this energy.
+        // Other momenta keep their direction. A momentum of almost 0 has no direction, and loses this energy.
         let ratio = energy / self.energy(start).max(W::splat(Real::MIN_POSITIVE));
         let scale = ratio.min(W::splat(ENERGY_RATIO_MAX)).sqrt();
         let mut momentum = WideVector::select(follows, kept - slope * away, start * scale);

@@ -6,7 +6,7 @@
 
 use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
 use super::rotation_vector::{unit_quaternion, wide_unit_quaternion};
-use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector, select_ang};
+use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::wide::Wide;
 use core::ops::Sub;
 
@@ -82,7 +82,8 @@ impl BodyState {
     }
 }
 
-/// Data that is constant during a step; read when constraints are prepared.
+/// Data that is constant during a step, except for the inertias of uneven bodies; read when constraints are
+/// prepared.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct BodyPose(pub [Real; POSE_LEN]);
@@ -125,6 +126,12 @@ impl BodyPose {
         AngularInertia { m11, m12, m13, m22, m23, m33 }
     }
 
+    /// Replaces the inverse inertia.
+    pub fn set_inv_inertia(&mut self, inv_inertia: &AngularInertia) {
+        let i = inv_inertia;
+        self.0[10..].copy_from_slice(&[i.m11, i.m12, i.m13, i.m22, i.m23, i.m33]);
+    }
+
     /// Returns whether some translations or some rotations of the body are locked, and others are free.
     pub fn has_locked_axis(&self) -> bool {
         let is_mixed = |numbers: [Real; 3]| {
@@ -144,15 +151,6 @@ pub(crate) struct WideMotion<W> {
 }
 
 impl<W: Wide> WideMotion<W> {
-    /// One motion in the lanes of a mask, another elsewhere.
-    #[inline(always)]
-    pub fn select(mask: W::Mask, yes: Self, no: Self) -> Self {
-        Self {
-            linear: WideVector::select(mask, yes.linear, no.linear),
-            angular: select_ang(mask, yes.angular, no.angular),
-        }
-    }
-
     /// No motion in any lane.
     #[inline(always)]
     pub fn none() -> Self {

@@ -137,23 +137,6 @@ pub fn select_ang<W: Wide>(
     WideVector::select(mask, yes, no)
 }
 
-/// Chooses between symmetric matrices lane by lane.
-#[inline(always)]
-pub fn select_symmetric<W: Wide>(
-    mask: W::Mask,
-    yes: WideSymmetric<W>,
-    no: WideSymmetric<W>,
-) -> WideSymmetric<W> {
-    WideSymmetric {
-        m11: W::select(mask, yes.m11, no.m11),
-        m12: W::select(mask, yes.m12, no.m12),
-        m13: W::select(mask, yes.m13, no.m13),
-        m22: W::select(mask, yes.m22, no.m22),
-        m23: W::select(mask, yes.m23, no.m23),
-        m33: W::select(mask, yes.m33, no.m33),
-    }
-}
-
 /// Reads a symmetric matrix per lane from memory.
 #[inline(always)]
 pub fn load_symmetric<W: Wide>(from: &WideSymmetric<Lane>) -> WideSymmetric<W> {

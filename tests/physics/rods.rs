@@ -55,8 +55,8 @@ fn largest_energy(
 }
 
 /// A thin rod hits the ground with one end, spins, hits it with the other end, and rolls. Its energy never
-/// exceeds the initial energy, with 5 % for the rigid contact. At 50 rad/s and 30 Hz, 1.7 rad in a step, one
-/// of 192 rods exceeds it for a moment.
+/// exceeds the initial energy, with 5 % for the rigid contact. Of 192 rods at 50 rad/s and 30 Hz, 1.7 rad in
+/// a step, one exceeds the bound for a moment.
 #[test]
 fn thin_rods_that_land_gain_no_energy() {
     let columns = ["rate", "spin (rad/s)", "gained", "largest energy"];
@@ -141,10 +141,10 @@ fn bouncing_bars(rate: u32, half: [Real; 3]) -> PhysicsWorld {
 }
 
 /// Bars that bounce in a closed box without friction and with restitution 1 keep their energy: nothing drives
-/// them.
+/// the bars.
 ///
-/// They rotate by more than a radian in a step at 30 Hz, and hit walls and each other several times in it. A
-/// thousandth is room for rounding.
+/// At 30 Hz they rotate by more than a radian in a step, in which they hit walls and each other several times.
+/// A thousandth is room for rounding.
 #[test]
 fn bars_that_bounce_keep_their_energy() {
     let halves = [[0.1, 0.8, 0.1], [0.3, 0.6, 0.1], [0.03, 0.8, 0.03], [0.01, 0.8, 0.01]];

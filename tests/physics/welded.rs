@@ -29,7 +29,7 @@ fn weld(places: &[[Real; 2]], ends: [usize; 2]) -> FixedJointBuilder {
 }
 
 /// Welded boxes that rotate in empty space keep their angular momentum, although they overlap: two in a row,
-/// three around a corner, and a square of four, of which the first and the last have no weld between them.
+/// three around a corner, and a square of four without a weld between the first and the last.
 ///
 /// Their contact would press them apart with any force. It acts on the bodies where they were when the step
 /// began, so it would be a couple, and bring them to rest within seconds.
@@ -68,7 +68,7 @@ fn welded_boxes_keep_their_angular_momentum() {
     }
 }
 
-/// Towers of welded crates stand on the ground as high as they are, with and without contacts between them.
+/// Towers of welded crates keep their height on the ground, with and without contacts between the crates.
 #[test]
 fn welded_towers_keep_their_height() {
     for count in [2, 4, 8, 9, 20] {

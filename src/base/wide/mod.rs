@@ -149,11 +149,6 @@ pub trait Wide<S = Real, const N: usize = LANES>:
     unsafe fn store_transposed(columns: [Self; N], rows: [*mut S; N]);
 }
 
-/// The lanes whose [bits](Wide::bits) are set.
-pub fn lanes(bits: u32) -> impl Iterator<Item = usize> {
-    (0..LANES).filter(move |lane| bits >> lane & 1 == 1)
-}
-
 /// `1 / value` where the value is positive, zero elsewhere.
 #[inline(always)]
 pub fn invert<W: Wide>(value: W) -> W {

@@ -127,18 +127,6 @@ impl ContactBlock {
         }
     }
 
-    /// Copies what depends on the inertias in a lane of another block of the same contacts.
-    pub fn copy_masses(&mut self, lane: usize, from: &Self) {
-        let copy = |to: &mut Lane, from: &Lane| to.0[lane] = from.0[lane];
-        for (to, from) in self.points.iter_mut().zip(&from.points) {
-            copy(&mut to.mass, &from.mass);
-        }
-        for (to, from) in self.coupling.iter_mut().zip(&from.coupling) {
-            copy(to, from);
-        }
-        copy(&mut self.friction.mass, &from.friction.mass);
-    }
-
     /// Multiplies the impulses with which the next substep starts by a factor of each lane.
     pub fn scale_impulses(&mut self, factors: &Lane) {
         let normal = self.points.iter_mut().map(|point| &mut point.impulse);

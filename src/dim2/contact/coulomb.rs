@@ -17,9 +17,6 @@ impl CoulombBlock {
     /// No operation in 2D.
     pub fn scale_impulses(&mut self, _factors: &Lane) {}
 
-    /// No operation in 2D.
-    pub fn copy_masses(&mut self, _lane: usize, _from: &Self) {}
-
     /// No impulses: the manifold has one as a whole. (Points of links have some, whatever the dimension.)
     pub fn store_impulses<W: Wide>(
         &self,

@@ -145,28 +145,6 @@ impl ContactBlock {
         }
     }
 
-    /// Copies what depends on the inertias in a lane of another block of the same contacts.
-    pub fn copy_masses(&mut self, lane: usize, from: &Self) {
-        let copy = |to: &mut Lane, from: &Lane| to.0[lane] = from.0[lane];
-        for (to, from) in self.points.iter_mut().zip(&from.points) {
-            copy(&mut to.mass, &from.mass);
-        }
-        for (to, from) in self.coupling.iter_mut().zip(&from.coupling) {
-            copy(to, from);
-        }
-        for (to, from) in
-            self.inv_inertia.iter_mut().flatten().zip(from.inv_inertia.iter().flatten())
-        {
-            to.set_lane(lane, from.lane(lane));
-        }
-        let (to, from) = (&mut self.friction, &from.friction);
-        to.tangent_mass.copy_lane(lane, &from.tangent_mass);
-        copy(&mut to.torsional_mass, &from.torsional_mass);
-        for (to, from) in to.torsional_coupling.iter_mut().zip(&from.torsional_coupling) {
-            copy(to, from);
-        }
-    }
-
     /// Multiplies the impulses with which the next substep starts by a factor of each lane.
     pub fn scale_impulses(&mut self, factors: &Lane) {
         let normal = self.points.iter_mut().map(|point| &mut point.impulse);

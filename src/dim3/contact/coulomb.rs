@@ -95,13 +95,6 @@ impl CoulombBlock {
         }
     }
 
-    /// Copies the effective masses of a lane.
-    pub fn copy_masses(&mut self, lane: usize, from: &Self) {
-        for (to, from) in self.0.iter_mut().zip(&from.0) {
-            to.mass.copy_lane(lane, &from.mass);
-        }
-    }
-
     /// Applies the impulses with which the step starts.
     #[inline(always)]
     pub(super) fn warm_start<W: Wide>(

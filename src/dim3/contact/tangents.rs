@@ -44,14 +44,6 @@ pub(crate) struct TangentMass<N> {
 impl TangentMass<Lane> {
     /// No friction in any lane.
     pub const ZERO: Self = Self { matrix: [Lane::ZERO; 3], eigenvalue_min: Lane::ZERO };
-
-    /// Copies the rows of a lane.
-    pub fn copy_lane(&mut self, lane: usize, from: &Self) {
-        for (to, from) in self.matrix.iter_mut().zip(&from.matrix) {
-            to.0[lane] = from.0[lane];
-        }
-        self.eigenvalue_min.0[lane] = from.eigenvalue_min.0[lane];
-    }
 }
 
 impl<W: Wide> TangentMass<W> {

@@ -49,7 +49,7 @@ pub struct Contact {
     /// Impulse along the normal during the last step: the sum over its substeps (mass·velocity).
     pub impulse: Real,
     /// Normal impulse with which the next step starts: that of the last substep, if steps are equal. After a
-    /// step that was shorter than those before, it is the impulse of a longer one.
+    /// shorter step, it is the impulse of a longer substep.
     pub warmstart_impulse: Real,
     /// Friction impulse at this point of the last substep, along the manifold's tangents. Only points with
     /// friction of their own have it: see [`ContactManifoldData::friction_impulse`].
@@ -131,7 +131,7 @@ pub struct ContactManifoldData {
     pub user_data: u32,
     /// Friction impulse of the last substep in world space, at the manifold's friction centre.
     pub(crate) last_friction: Vector,
-    /// Friction impulse with which the next step starts ([`Contact::warmstart_impulse`]), likewise.
+    /// Friction impulse with which the next step starts: see [`Contact::warmstart_impulse`].
     pub(crate) warmstart_friction: Vector,
     /// Torsional-friction impulse of the last substep about the normal (3D).
     pub(crate) warmstart_torsion: Real,

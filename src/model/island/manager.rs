@@ -177,8 +177,7 @@ impl IslandManager {
     }
 
     /// Returns whether a joint or a multibody disables contacts between two colliders. The two searches for
-    /// colliders that meet call this, the broad phase and the path search; no other stage tests the settings
-    /// of joints.
+    /// colliders that meet call this, the broad phase and the path search.
     pub(crate) fn part_colliders(&self, collider1: &Collider, collider2: &Collider) -> bool {
         collider1.parent().zip(collider2.parent()).is_some_and(|(body1, body2)| {
             self.part(body1.into_raw_parts().0, body2.into_raw_parts().0)

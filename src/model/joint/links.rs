@@ -254,7 +254,7 @@ impl JointLinks {
         self.weld_groups.hold(body_slots)
     }
 
-    /// Finds the bodies that welds hold at each other. Returns the groups of before if welds have changed.
+    /// Finds the bodies that welds hold at each other. Returns the last groups if welds have changed.
     pub fn regroup_welded(&mut self, bodies: &RigidBodySet) -> Option<WeldGroups> {
         if !mem::take(&mut self.welds_changed) {
             return None;

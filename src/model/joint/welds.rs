@@ -1,8 +1,8 @@
 //! Bodies that welds hold rigidly at each other.
 //!
 //! Normals and moment arms of contacts are frozen during a step. Impulses at a contact of two bodies that
-//! rotate together are therefore a couple, which stops them. Such a contact can change nothing else: it only
-//! loads the welds. So the solver leaves it out.
+//! rotate together are therefore a couple, which stops the rotation. Such a contact can change nothing else,
+//! and only loads the welds. So the solver leaves the contact out.
 //!
 //! Welds of fixed and kinematic bodies do not count. A mast on the ground may bend, and then rests on the
 //! ground or leans on a neighbour. Nor do large groups: a wall of bricks stands on its contacts, because its
@@ -71,8 +71,8 @@ impl WeldGroups {
         self.get(slot1) == self.get(slot2)
     }
 
-    /// The slots of bodies whose group is another one than in `others`. One of two bodies that are held at
-    /// each other in one of both alone is among them.
+    /// The slots of bodies whose group differs from the one in `others`. Two bodies that only `self` or only
+    /// `others` hold at each other include such a body.
     pub fn differing<'a>(&'a self, others: &'a Self) -> impl Iterator<Item = u32> + 'a {
         let end = self.first.len().max(others.first.len()) as u32;
         (0..end).filter(|&slot| self.get(slot) != others.get(slot))

@@ -341,7 +341,8 @@ fn finish(manifold: &mut ContactManifold, view: &PairView<'_>) {
     );
     let [dominance1, dominance2] = view.bodies.map(RigidBody::dominance_of);
     data.relative_dominance = dominance1 - dominance2;
-    let is_solved = c1.solver_groups().test(c2.solver_groups()) && !view.are_welded();
+    let is_solved =
+        c1.solver_groups().test(c2.solver_groups()) && !view.context.islands.weld_colliders(c1, c2);
     data.solver_flags =
         if is_solved { SolverFlags::COMPUTE_RIGID_IMPULSES } else { SolverFlags::empty() };
 }

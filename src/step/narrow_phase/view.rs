@@ -39,12 +39,6 @@ impl<'a> PairView<'a> {
         diameter(self.bodies[0]).min(diameter(self.bodies[1]))
     }
 
-    /// Returns whether joints hold the bodies rigidly at each other.
-    pub fn are_welded(&self) -> bool {
-        let [c1, c2] = self.colliders;
-        self.context.islands.weld_colliders(c1, c2)
-    }
-
     /// Returns whether both shapes are convex.
     pub fn are_convex(&self) -> bool {
         let [c1, c2] = self.colliders;

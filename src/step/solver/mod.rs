@@ -247,6 +247,7 @@ impl Constraints {
             bodies.integrate_positions(pass);
             joints.correct_poses(bodies, pass.substep);
             multibodies.integrate_positions(input, bodies, pass);
+            bodies.turn_uneven(pass.simd);
             contacts.follow(bodies, pass);
             for pass in pass.relaxations() {
                 joints.relax(bodies, &pass);

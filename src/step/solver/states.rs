@@ -26,7 +26,7 @@ impl BodyState {
         }
     }
 
-    /// Moves further by the linear components, and rotates further by the angular ones.
+    /// Moves further by the linear components, and rotates further by the angular components.
     pub fn add_displacement(&mut self, change: SpatialVector) {
         let (at, rotvec) = self.displacement();
         let rotvec = composed_rotation(rotvec, angular(&change));

@@ -39,7 +39,9 @@ impl SolverBodies {
             self.any_far |= self.load_members(order, members, bodies, &context, h, tasks);
         }
         self.any_scaled = self.impulse_fractions.iter().any(|it| it.of_contacts < 1.0);
-        self.any_uneven = self.uneven.contains(&true);
+        let uneven = self.uneven.iter().zip(&self.poses).enumerate().filter(|(_, (is, _))| **is);
+        self.uneven_starts.clear();
+        self.uneven_starts.extend(uneven.map(|(k, (_, pose))| (k as u32, pose.inv_inertia())));
     }
 
     /// Allocates states for some bodies, which fill all of them, and for the world.

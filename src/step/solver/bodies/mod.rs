@@ -10,7 +10,8 @@ use super::groups::{Group, Groups};
 use super::impact_time::ImpactTime;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::{Gather, Tasks};
-use crate::dim::math::{Real, SpatialVector};
+use crate::base::wide::Simd;
+use crate::dim::math::{AngularInertia, Real, SpatialVector};
 use crate::dim::motion::FreeMotion;
 use crate::dim::spatial::{angular, join};
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
@@ -20,7 +21,7 @@ use crate::step::notes::FastMotion;
 use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use load::Places;
-use motion::{Accelerate, Advance, BodyChunk};
+use motion::{Accelerate, Advance, BodyChunk, TurnInertias};
 
 /// All awake bodies. Index 0 is the world, index `i + 1` the `i`-th in the order of the groups.
 #[derive(Default)]
@@ -41,10 +42,10 @@ pub(super) struct SolverBodies {
     /// contacts is less than 1.
     impulse_fractions: Vec<ImpulseFractions>,
     any_scaled: bool,
-    /// By index: whether the inertia changes so much during the step that contacts follow it. The flag is set
-    /// if that of any body does.
+    /// By index: whether the inertia changes so much during the step that contacts follow the body.
     pub uneven: Vec<bool>,
-    any_uneven: bool,
+    /// The indices of uneven bodies, and their inverse inertias when the step began.
+    uneven_starts: Vec<(u32, AngularInertia)>,
     /// By index: the island, or [`NONE`].
     pub islands: Vec<u32>,
     /// The indices of moving bodies: the ungrouped ones, and the members of the solved group.
@@ -119,9 +120,9 @@ impl SolverBodies {
         self.any_scaled
     }
 
-    /// Returns whether contacts follow the inertia of any body.
+    /// Returns whether there are uneven bodies.
     pub fn any_uneven(&self) -> bool {
-        self.any_uneven
+        !self.uneven_starts.is_empty()
     }
 
     /// The fractions of the last impulses with which two bodies begin.
@@ -158,14 +159,6 @@ impl SolverBodies {
     /// The poses and states, these to be shared among constraints of one colour.
     pub fn shared(&mut self) -> (&[BodyPose], DisjointMut<'_, BodyState>) {
         (&self.poses, DisjointMut::new(&mut self.states))
-    }
-
-    /// The same, and the velocities before any impulse.
-    pub fn shared_before(
-        &mut self,
-    ) -> (&[BodyPose], DisjointMut<'_, BodyState>, DisjointMut<'_, BodyState>) {
-        let (states, before) = (&mut self.states, &mut self.before);
-        (&self.poses, DisjointMut::new(states), DisjointMut::new(before))
     }
 
     /// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
@@ -217,6 +210,12 @@ impl SolverBodies {
                 self.displace(index, join(added_v * -time, added_w * -time));
             }
         }
+    }
+
+    /// Rotates the inertias of uneven bodies to their present orientations.
+    pub fn turn_uneven(&mut self, simd: Simd) {
+        let Self { uneven_starts, states, poses, .. } = self;
+        simd.run(TurnInertias { uneven_starts, states, poses });
     }
 
     /// Notes the bodies that directly solved joints hold.

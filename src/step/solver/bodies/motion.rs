@@ -1,10 +1,13 @@
 //! Free motion of bodies, [`LANES`] at a time.
 
-use crate::base::wide::{Kernel, LANES, Wide};
-use crate::dim::math::{Real, Vector, mul_inertia};
+use crate::base::wide::{Kernel, LANES, Wide, gather};
+use crate::dim::math::{AngularInertia, Real, Vector, mul_inertia};
 use crate::dim::motion::{FreeMotion, accelerated, gyroscopic, without_forces};
-use crate::dim::rotation_vector::turned_further;
-use crate::dim::state::{BodyState, WideDisplacement, WideMotion};
+use crate::dim::rotation_vector::{turned_further, turned_inertia};
+use crate::dim::state::{BodyPose, BodyState, WideDisplacement, WideMotion, WideState, motions};
+use crate::dim::wide::{
+    ZERO_INERTIA, load_symmetric, set_symmetric_lane, store_symmetric, symmetric_lane,
+};
 use crate::model::body::RigidBody;
 use crate::step::solver::states::{load_states, store_states};
 
@@ -109,6 +112,35 @@ impl Kernel for Advance<'_> {
                 store_states(before, (old, displacement));
             }
             store_states(states, (velocity, WideDisplacement::new(linear, angular)));
+        }
+    }
+}
+
+/// Rotates the inverse inertias of uneven bodies by the rotations since the step began.
+pub(super) struct TurnInertias<'a> {
+    pub uneven_starts: &'a [(u32, AngularInertia)],
+    pub states: &'a [BodyState],
+    pub poses: &'a mut [BodyPose],
+}
+
+impl Kernel for TurnInertias<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for chunk in self.uneven_starts.chunks(LANES) {
+            let mut inertias = ZERO_INERTIA;
+            let mut rows = [const { &BodyState::AT_REST.0 }; LANES];
+            for (lane, (body, start)) in chunk.iter().enumerate() {
+                rows[lane] = &self.states[*body as usize].0;
+                set_symmetric_lane(&mut inertias, lane, start);
+            }
+            let (_, moved): WideState<W> = motions(gather(rows));
+            let turned = turned_inertia(load_symmetric(&inertias), moved.rotation());
+            store_symmetric(turned, &mut inertias);
+            for (lane, &(body, _)) in chunk.iter().enumerate() {
+                self.poses[body as usize].set_inv_inertia(&symmetric_lane(&inertias, lane));
+            }
         }
     }
 }

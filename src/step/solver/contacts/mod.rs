@@ -16,7 +16,7 @@ use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Wide};
 use crate::dim::contact::{ContactBlock, CoulombBlock};
 use crate::dim::math::Real;
-use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
+use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactLanes, ContactReport, LaneBlock, NarrowPhase};
 use crate::model::params::ContactPass;
@@ -52,8 +52,6 @@ pub(super) struct SolverContacts {
     point_count: usize,
     /// Whether a contact is deep enough that its correction may eject bodies.
     has_deep_overlap: bool,
-    /// By block and side: the bits of the lanes whose body is uneven. Empty if there is none.
-    uneven: Vec<[u32; 2]>,
 }
 
 impl SolverContacts {
@@ -102,24 +100,6 @@ impl SolverContacts {
             }
         });
         self.has_deep_overlap = has_deep_overlap.into_inner();
-        self.find_uneven(bodies);
-    }
-
-    /// Notes the lanes with uneven bodies.
-    fn find_uneven(&mut self, bodies: &SolverBodies) {
-        self.uneven.clear();
-        if !bodies.any_uneven() {
-            return;
-        }
-        self.uneven.resize(self.blocks.len(), [0; 2]);
-        // Blocks beyond the colour's count keep the data of an earlier step.
-        for index in self.layout.colors().iter().flat_map(Clone::clone) {
-            self.uneven[index] = self.blocks[index].bodies.map(|bodies_of_side| {
-                let is_uneven = |body: u32| bodies.uneven[(body & !READ_ONLY) as usize];
-                let bits = bodies_of_side.iter().enumerate();
-                bits.map(|(lane, &body)| u32::from(is_uneven(body)) << lane).sum()
-            });
-        }
     }
 
     /// Notes the islands in which overlap is deep, if there are any. Returns whether there may be.
@@ -143,16 +123,16 @@ impl SolverContacts {
 
     /// Gives the contacts of uneven bodies their inertias anew, after a substep.
     pub fn follow(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
-        if self.uneven.is_empty() {
+        if !bodies.any_uneven() {
             return;
         }
-        let (poses, states, before) = bodies.shared_before();
+        let SolverBodies { poses, uneven, before, .. } = bodies;
+        let before = &DisjointMut::new(before);
+        let context = FollowContext { poses, uneven, before };
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        let (lanes, uneven) = (&self.lanes.blocks[..], &self.uneven[..]);
-        let context = FollowContext { poses, states: &states, before: &before };
-        let simd = pass.simd;
+        let (lanes, simd) = (&self.lanes.blocks[..], pass.simd);
         for_each_color(self.layout.colors(), pass.tasks, BLOCKS_PER_TASK, |range| {
-            simd.run(Follow { range, lanes, uneven, blocks, context });
+            simd.run(Follow { range, lanes, blocks, context });
         });
     }
 
@@ -357,13 +337,10 @@ block_kernel! {
     /// See [`follow::follow`].
     struct Follow<'a> {
         lanes: &'a [LaneBlock],
-        uneven: &'a [[u32; 2]],
         blocks: Blocks<'a>,
         context: FollowContext<'a>,
     }
-    |index| if uneven[index] != [0; 2] {
-        follow::follow::<W>(&lanes[index].input, blocks.get(index), uneven[index], context);
-    }
+    |index| follow::follow::<W>(&lanes[index].input, blocks.get(index), context)
 }
 
 block_kernel! {

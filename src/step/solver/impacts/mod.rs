@@ -48,8 +48,8 @@
 //! 1988.) In this metric they still separate the contacts that hit. Contacts use the inertias of the start of
 //! the step, except for uneven bodies (`contacts/follow.rs`). In impacts, joints therefore use these too.
 //!
-//! The energy that counts is that of the mean velocities of the substep. Gyroscopic bodies receive it as it
-//! is (`dimN/motion.rs`), and the changes of their free rotation are not taken for those of a force.
+//! The energy that counts is that of the mean velocities of the substep. Gyroscopic bodies receive exactly
+//! this energy (`dimN/motion.rs`). The changes of their free rotation are not taken for those of a force.
 //!
 //! ## Supported loads
 //! A substep starts with the impulses of the last one, which may be outdated. An impulse that stopped an
@@ -91,8 +91,7 @@ use super::island_sums::IslandSums;
 use super::joints::{Changes, SolverJoints};
 use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
-use crate::base::wide::Lane;
-pub(super) use crate::base::wide::lanes;
+use crate::base::wide::{LANES, Lane};
 use crate::dim::math::Real;
 use crate::model::contact::ContactInput;
 #[cfg(test)]
@@ -326,7 +325,6 @@ impl Impacts {
                 start: &self.touched.start,
                 states: &mut bodies.before,
                 poses: &bodies.poses,
-                uneven: &bodies.uneven,
             };
             context.joints.project(changes, is_moving, add_work, context.pass);
         }
@@ -480,4 +478,9 @@ impl Impacts {
             simd.run(Round { phase, range, blocks, states, times });
         });
     }
+}
+
+/// The lanes whose bits are set.
+pub(super) fn lanes(bits: u32) -> impl Iterator<Item = usize> {
+    (0..LANES).filter(move |lane| bits >> lane & 1 == 1)
 }

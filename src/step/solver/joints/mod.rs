@@ -142,8 +142,6 @@ pub(super) struct Changes<'a> {
     pub start: &'a [BodyState],
     pub states: &'a mut [BodyState],
     pub poses: &'a [BodyPose],
-    /// By body: whether contacts follow its inertia.
-    pub uneven: &'a [bool],
 }
 
 impl Changes<'_> {
@@ -293,7 +291,7 @@ impl SolverJoints {
             simd.run(WriteRows { range, parts, jacobians, states, pass });
         });
         for (block, jacobians) in self.blocks.iter().zip(&mut self.jacobians.blocks) {
-            jacobians.take_inertias(block, changes.poses, changes.uneven);
+            jacobians.take_inertias(block, changes.poses);
         }
         let is_selected = |members: &[DirectJoint]| {
             members.iter().flat_map(DirectJoint::movable).any(|(_, body)| selected(body))

@@ -106,11 +106,12 @@ impl JacobianBlock {
         }
     };
 
-    /// Loads the inverse inertias of contacts: for uneven bodies they are the current ones.
-    pub fn take_inertias(&mut self, block: &JointBlock, poses: &[BodyPose], uneven: &[bool]) {
+    /// Loads the inverse inertias of contacts.
+    pub fn take_inertias(&mut self, block: &JointBlock, poses: &[BodyPose]) {
         for (inertias, bodies) in self.inv_inertia.iter_mut().zip(&block.bodies) {
-            let movable = bodies.iter().enumerate().filter(|(_, body)| *body & READ_ONLY == 0);
-            for (lane, &body) in movable.filter(|&(_, &body)| !uneven[body as usize]) {
+            for (lane, &body) in
+                bodies.iter().enumerate().filter(|(_, body)| *body & READ_ONLY == 0)
+            {
                 set_symmetric_lane(inertias, lane, &poses[body as usize].inv_inertia());
             }
         }
