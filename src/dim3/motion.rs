@@ -51,8 +51,8 @@ const ENERGY_CHANGE_FRACTION_MAX: Real = 0.25;
 /// Largest factor by which the energy of a momentum grows that keeps its direction.
 const ENERGY_RATIO_MAX: Real = 4.0;
 
-/// A body is uneven if the product of its squared rotation (rad²) in a step and the relative difference of its
-/// moments of inertia exceeds this. A rod with moments of the ratio 30 then rotates by 0.03 rad.
+/// A body is uneven if the product of its squared rotation (rad²) in a step and the relative difference of
+/// its moments of inertia exceeds this. A rod with moments of the ratio 30 then rotates by 0.03 rad.
 const UNEVEN_ROTATION_MIN: Real = 0.025;
 /// Rotations (rad) in a step that are too small for any body.
 const UNEVEN_ANGLE_MIN: Real = 0.01;
@@ -406,9 +406,9 @@ impl<W: Wide> Gyroscope<W> {
     /// Constraints are solved for that. The energy of the momentum grows by as much with the velocity at
     /// the start. Returns the difference: `Δω·I (ω - ω₀)`.
     ///
-    /// A joint holds the velocities at the start, on which its impulses do no work. With the difference, thrown
-    /// chains of thin rods gain energy twice as often. So the difference is 0 for bodies of directly solved
-    /// joints.
+    /// A joint holds the velocities at the start, on which its impulses do no work. With the difference,
+    /// thrown chains of thin rods gain energy twice as often. So the difference is 0 for bodies of directly
+    /// solved joints.
     #[inline(always)]
     fn work_of_lag(&self, change: WideAngVector<W>) -> W {
         let (to_world, momentum) = self.seen_from(self.start);

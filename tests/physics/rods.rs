@@ -143,8 +143,8 @@ fn bouncing_bars(rate: u32, half: [Real; 3]) -> PhysicsWorld {
 /// Bars that bounce in a closed box without friction and with restitution 1 keep their energy: nothing drives
 /// the bars.
 ///
-/// At 30 Hz they rotate by more than a radian in a step, in which they hit walls and each other several times.
-/// A thousandth is room for rounding.
+/// At 30 Hz they rotate by more than a radian in a step, in which they hit walls and each other several
+/// times. A thousandth is room for rounding.
 #[test]
 fn bars_that_bounce_keep_their_energy() {
     let halves = [[0.1, 0.8, 0.1], [0.3, 0.6, 0.1], [0.03, 0.8, 0.03], [0.01, 0.8, 0.01]];

@@ -2,10 +2,10 @@
 //!
 //! Inertias of contacts are frozen during a step. A rod with the moments of inertia `A` and `C ≪ A` that
 //! rotates about its middle by `θ` gets the moment `C cos² θ + A sin² θ` about its first axis. A frozen
-//! contact accelerates it there, with many times the energy that the contact computes. Uneven bodies are those
-//! for which that counts: thin ones that rotate fast. Their inertias are rotated after the positions of a
-//! substep (`SolverBodies::turn_uneven`), and their contacts get new effective masses, for its relax pass and
-//! the next solve pass.
+//! contact accelerates the rod there, with many times the energy that the contact computes. Uneven bodies are
+//! those for which that counts: thin bodies that rotate fast. Their inertias are rotated after the positions
+//! of a substep (`SolverBodies::turn_uneven`). Their contacts then get new effective masses, for the relax
+//! pass of the substep and the next solve pass.
 //!
 //! The velocities contain the effects that the warm-start impulses have with the old masses. The differences
 //! from their effects with the new ones go into the velocities before any impulse, with which the next
@@ -31,8 +31,8 @@ pub(super) struct FollowContext<'a> {
     pub before: &'a DisjointMut<'a, BodyState>,
 }
 
-/// Gives a block the inertias of its bodies, if one of these is uneven. The other lanes get the same effective
-/// masses again, to the last bit.
+/// Gives a block the inertias of its bodies, if one of these is uneven. The other lanes get the same
+/// effective masses again, to the last bit.
 ///
 /// # Safety
 /// The caller has exclusive access to the velocities of the block's bodies.
