@@ -135,6 +135,9 @@ fn waking_reaches_every_body() {
 fn counters_measure_the_step() {
     let (mut world, _, _) = falling();
     world.step();
+    assert_eq!(world.physics_pipeline.counters.step_time_ms(), 0.0, "without a request");
+    world.physics_pipeline.counters.enable();
+    world.step();
     let counters = &world.physics_pipeline.counters;
     assert!(counters.step_time_ms() > 0.0);
     assert!(counters.step_time_ms() >= counters.solver_time_ms());

@@ -182,7 +182,7 @@ pub struct Counters {
 
 impl Default for Counters {
     fn default() -> Self {
-        Self::new(true)
+        Self::new(cfg!(feature = "profiler"))
     }
 }
 

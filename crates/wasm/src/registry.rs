@@ -113,9 +113,8 @@ pub struct Instance {
 
 static WORLDS: Single<Registry<Instance>> = Single::new(Registry::new());
 
-/// Adds a world. Its stages are timed only on request, because each time is a call.
-pub fn insert_world(mut world: PhysicsWorld) -> u32 {
-    world.physics_pipeline.counters.disable();
+/// Adds a world.
+pub fn insert_world(world: PhysicsWorld) -> u32 {
     let instance = Instance {
         world: Single::new(world),
         queries: Single::new(Queries { pipeline: QueryPipeline::new(), is_stale: true }),

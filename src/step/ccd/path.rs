@@ -17,6 +17,9 @@ use smallvec::SmallVec;
 /// Minimum gap of stopped bodies, as a fraction of the prediction distance.
 const GAP_MIN: Real = 0.01;
 
+/// Room for rounding around the ball that contains a body.
+const BALL_MARGIN: Real = 1.01;
+
 /// Selects the non-dynamic colliders that a path is searched against.
 #[derive(Copy, Clone)]
 pub(super) enum NonDynamicFilter {
@@ -46,6 +49,26 @@ impl Search<'_> {
     /// The least gap at which bodies are stopped (length units).
     pub fn gap_min(&self) -> Real {
         GAP_MIN * self.context.params.prediction_distance()
+    }
+
+    /// Returns whether a fast body passes nothing that is not dynamic: its path is that of the ball around its
+    /// centre of mass that contains its colliders. For a body in free fall the exact region takes ten times
+    /// as long.
+    pub fn is_in_the_open(self, position: usize) -> bool {
+        let CcdContext { fast, bodies, trees, .. } = self.context;
+        let motion = &fast[position];
+        let Some(body) = bodies.get(motion.body).filter(|_| motion.link.is_none()) else {
+            return false;
+        };
+        let end = motion.center + motion.shift;
+        let path = Aabb::new(motion.center.min(end), motion.center.max(end));
+        let region = path.loosened(BALL_MARGIN * body.extent);
+        let mut is_open = true;
+        for kind in [TreeKind::Fixed, TreeKind::Kinematic] {
+            trees.for_each_overlapping(kind, &region, |_| is_open = false);
+        }
+        self.movers.for_each_in(&region, |_| is_open = false);
+        is_open
     }
 
     /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies, in slot order. Of

@@ -209,6 +209,9 @@ impl Groups {
         let SolverInput { world: bodies, narrow_phase, joints, islands } = input;
         self.order.clear();
         self.groups.clear();
+        if islands.awake.is_empty() {
+            return;
+        }
         self.read_bodies(islands, bodies, tasks);
         self.requirements.clear();
         self.requirements.resize(islands.island_bound() as usize, IslandRequirement::NOTHING);

@@ -127,13 +127,18 @@ impl SolverScratch {
         bodies.enter(group, groups);
         constraints.load_links(members, links, context, &pass);
         constraints.load(is_only_group, bodies, links, context, &pass);
-        let input = context.input();
-        constraints.prepare(input, bodies, &pass);
-        constraints.record_energy(members, links, input.world, bodies, &pass);
+        let (input, are_free) = (context.input(), constraints.are_none());
+        if !are_free {
+            constraints.prepare(input, bodies, &pass);
+            constraints.record_energy(members, links, input.world, bodies, &pass);
+        }
         counters.velocity_assembly_time.pause();
 
         counters.velocity_resolution_time.resume();
-        counters.nlimited_bodies += constraints.solve(group.substeps, input, bodies, &pass);
+        counters.nlimited_bodies += match are_free {
+            true => bodies.move_freely(group.substeps, &pass),
+            false => constraints.solve(group.substeps, input, bodies, &pass),
+        };
         counters.velocity_resolution_time.pause();
 
         counters.velocity_writeback_time.resume();
@@ -206,6 +211,11 @@ impl Constraints {
         let contact_context = ContactLoadContext { bodies, links, is_only_group, per_point };
         self.contacts.load(contact_context, &islands.graph, narrow_phase, pass.tasks);
         self.impacts.load(&self.contacts, bodies);
+    }
+
+    /// Returns whether the bodies of the group are free: nothing holds or touches any of them.
+    fn are_none(&self) -> bool {
+        self.joints.len() + self.contacts.len() == 0 && self.multibodies.is_empty()
     }
 
     /// Computes effective masses, and applies the impulses of the last step.

@@ -52,6 +52,7 @@ impl crate::engine::Template for Template {
         let mut world = self.fresh_world();
         // The profile has no peers beside it, and includes the CCD stage.
         world.integration_parameters.max_ccd_substeps = 1;
+        world.physics_pipeline.counters.enable();
         let mut sums: Vec<(&'static str, f64)> = Vec::new();
         let mut on_processors = 0.0;
         for done in 1..=steps {

@@ -101,6 +101,17 @@ impl SolverBodies {
         }
     }
 
+    /// Moves the bodies of the group through the step if nothing holds or touches any of them. Returns the
+    /// largest number of bodies that one substep limited to the largest speed.
+    pub fn move_freely(&mut self, substeps: usize, pass: &SolverPass<'_>) -> usize {
+        let mut limited = 0;
+        for substep in 0..substeps {
+            limited = limited.max(self.integrate_velocities(substep == 0, false, pass));
+            self.integrate_positions(pass);
+        }
+        limited
+    }
+
     /// The bodies that may move.
     pub fn moving(&self) -> [Range<usize>; 2] {
         self.moving.clone()

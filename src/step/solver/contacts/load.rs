@@ -79,6 +79,13 @@ impl SolverContacts {
         self.of_links.clear();
         for (color, list) in graph.all_in_solving_order() {
             let first = self.layout.block_count();
+            if color != OVERFLOW {
+                self.starts.push(first as u32);
+            }
+            let is_reserved = capacity.as_ref().is_some_and(|blocks| blocks[color as usize] > 0);
+            if list.is_empty() && !is_reserved {
+                continue;
+            }
             let slots = |at: ManifoldRef| contacts.bodies(at.pair);
             let of_links = &mut self.of_links;
             let members = list.iter().copied().filter(|&at| {
@@ -98,10 +105,8 @@ impl SolverContacts {
             } else if are_all {
                 // All manifolds are loaded, so the list is copied as it is.
                 self.layout.add(color, list.iter().copied());
-                self.starts.push(first as u32);
             } else {
                 self.layout.add(color, members);
-                self.starts.push(first as u32);
             }
             if let Some(capacity) = &mut capacity {
                 self.layout.reserve_capacity(first, &mut capacity[color as usize]);

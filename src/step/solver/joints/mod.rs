@@ -209,6 +209,9 @@ impl SolverJoints {
     }
 
     fn iterate(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>, is_biased: bool) {
+        if self.len() == 0 {
+            return;
+        }
         let &SolverPass { joints, simd, tasks, .. } = pass;
         let pass = &JointPass { is_biased, ..joints };
         let (_, states) = bodies.shared();

@@ -131,6 +131,11 @@ fn solve_unilateral(
 }
 
 impl SolverMultibodies {
+    /// Returns whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.moving.is_empty()
+    }
+
     /// Returns whether one of these bodies is a link that is moved now.
     fn solves_one_of(&self, slots: [u32; 2]) -> bool {
         slots.into_iter().any(|slot| self.place(slot).is_some_and(|place| place.is_moved))
@@ -211,12 +216,18 @@ impl SolverMultibodies {
 
     /// Solves all constraints once, with bias.
     pub fn solve(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        if self.is_empty() {
+            return;
+        }
         self.iterate(bodies, pass, true);
         self.limit_push(&mut bodies.states, pass.contacts.push_velocity_max);
     }
 
     /// Solves all constraints once, without bias and with friction.
     pub fn relax(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        if self.is_empty() {
+            return;
+        }
         self.iterate(bodies, pass, false);
         let Self { jacobians, joints, loops, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
