@@ -38,6 +38,8 @@ pub struct Options {
     pub queries: bool,
     /// Whether the run saves and restores worlds instead of stepping them.
     pub saving: bool,
+    /// Whether the run measures worlds of few bodies instead of scenes.
+    pub small: bool,
     /// Whether the run measures growing worlds instead of scenes.
     pub growth: bool,
     /// Curves of the growth measurement.
@@ -114,6 +116,7 @@ pub fn parse(arguments: &[String], scenes: &[Scene]) -> Result<Request, UsageErr
         profile: false,
         queries: false,
         saving: false,
+        small: false,
         growth: false,
         curves: Vec::new(),
         bodies_max: BODIES_MAX,
@@ -128,6 +131,7 @@ pub fn parse(arguments: &[String], scenes: &[Scene]) -> Result<Request, UsageErr
             "--profile" => options.profile = true,
             "--queries" => options.queries = true,
             "--saving" => options.saving = true,
+            "--small" => options.small = true,
             "--growth" => options.growth = true,
             "--curve" => options.curves.push(find_curve(value()?)?),
             "--bodies-max" => options.bodies_max = number(argument, value()?)?,
@@ -198,13 +202,14 @@ Usage: bench [OPTIONS]
   --profile         the stages of this engine's step instead
   --queries         rays and shape casts per second instead of steps
   --saving          times of saving and restoring worlds instead of steps
+  --small           worlds of few bodies, with continuous collision detection, instead of scenes
   --growth          growing worlds instead of scenes; --scene 3d or 2d selects a dimension. All curves except
                     `threads` run with the first number of threads. `threads` runs with all given numbers; if only
                     one is given, with 1 to all threads of the machine
   --curve NAME      awake, static, sleeping, contacts, or threads; may be repeated (default: all)
   --bodies-max N    let worlds grow to N bodies at most (default: 1000000)
   --write           also write the table and its chart to docs/benchmarks/latest.md (native.md if built
-                    with -C target-cpu=native), or to growth.md
+                    with -C target-cpu=native), or to growth.md or small.md
   --redraw          only draw the charts again, from the tables of these pages
   -h, --help        print this
 

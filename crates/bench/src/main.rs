@@ -9,8 +9,8 @@
 //! (`--growth`) builds worlds from many copies of one arrangement.
 //!
 //! All engines follow the same rules: steps of 1/60 s with 4 substeps, and the same compiler profile. No body
-//! sleeps, except in curves over sleeping bodies. Continuous collision detection is off. Contact stiffness
-//! and recycling have each engine's own defaults. The first step counts as building the world.
+//! sleeps, except in curves over sleeping bodies. Continuous collision detection is off, except in small
+//! worlds. Contact stiffness and recycling have each engine's own defaults. The first step counts as building the world.
 //!
 //! One program links all engines. This engine and Rapier share the geometry crate, which cargo builds with
 //! the sum of their requested features. This engine requests no feature that changes the code of a step, so
@@ -39,6 +39,7 @@ mod queries;
 mod report;
 mod saving;
 mod scenes;
+mod small;
 mod solid;
 mod units;
 
@@ -61,6 +62,7 @@ fn main() -> ExitCode {
         Ok(Request::Run(options)) if options.profile => profile::run(&scenes, &options),
         Ok(Request::Run(options)) if options.queries => queries::run(&scenes, &options),
         Ok(Request::Run(options)) if options.saving => saving::run(&scenes, &options),
+        Ok(Request::Run(options)) if options.small => small::run(&scenes, &options),
         Ok(Request::Run(options)) if options.growth => growth::run(&scenes, &options),
         Ok(Request::Run(options)) => run(&scenes, &options),
         Err(error) => {

@@ -1,7 +1,7 @@
 //! The engines that run a template, and the scenes as templates.
 
 use super::ours::prelude::*;
-use super::template::Template;
+use super::template::{Rules, Template};
 use super::{double, examples, rapier, start_box, this, three};
 use crate::catalog::Scene;
 use crate::clock::Clock;
@@ -18,7 +18,7 @@ pub fn catalog(dimension: &'static str, names: &[(&str, bool)]) -> Vec<Scene> {
             dimension,
             steps: info.steps,
             by_default,
-            build: Box::new(|| Box::new(Template::new(false, || (info.build)().world))),
+            build: Box::new(|| Box::new(Template::new(Rules::default(), || (info.build)().world))),
         })
         .collect()
 }

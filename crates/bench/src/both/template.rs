@@ -1,8 +1,9 @@
 //! A scene built by this engine, for running here or transcription into another engine.
 
 use super::ours::prelude::*;
-use super::worlds;
+use super::{small_worlds, worlds};
 use crate::growth::world::World;
+use crate::small::Small;
 use std::collections::HashMap;
 
 /// Length of a step for all engines (s).
@@ -10,12 +11,20 @@ pub const DT: f32 = 1.0 / 60.0;
 /// Substeps of a step for all engines.
 pub const SUBSTEPS: usize = 4;
 
+/// Rules that are off in contests.
+#[derive(Copy, Clone, Default)]
+pub struct Rules {
+    /// Whether bodies may sleep if the scene allows it.
+    pub may_sleep: bool,
+    /// Whether engines detect collisions continuously, each as far as its defaults do.
+    pub is_continuous: bool,
+}
+
 /// Scene that is built but not yet run.
 pub struct Template {
     /// Builds the scene.
     build: Box<dyn Fn() -> PhysicsWorld>,
-    /// Whether bodies may sleep if the scene allows it.
-    pub may_sleep: bool,
+    pub rules: Rules,
     /// The built world.
     pub world: PhysicsWorld,
     /// Bodies, in the order of their transcription.
@@ -26,7 +35,7 @@ pub struct Template {
 
 impl Template {
     /// Builds a scene.
-    pub fn new(may_sleep: bool, build: impl Fn() -> PhysicsWorld + 'static) -> Self {
+    pub fn new(rules: Rules, build: impl Fn() -> PhysicsWorld + 'static) -> Self {
         let world = build();
         let bodies: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
         let positions: HashMap<_, _> = bodies.iter().copied().zip(0..).collect();
@@ -35,12 +44,19 @@ impl Template {
             ([joint.body1(), joint.body2()].map(|body| positions[&body]), joint.data)
         });
         let joints = joints.collect();
-        Self { build: Box::new(build), may_sleep, world, bodies, joints }
+        Self { build: Box::new(build), rules, world, bodies, joints }
     }
 
     /// Builds a growing world.
     pub fn grown(world: World) -> Self {
-        Self::new(matches!(world, World::Sleeping { .. }), move || worlds::build(world))
+        let may_sleep = matches!(world, World::Sleeping { .. });
+        Self::new(Rules { may_sleep, ..Rules::default() }, move || worlds::build(world))
+    }
+
+    /// Builds a world of few bodies.
+    pub fn small(world: Small) -> Self {
+        let rules = Rules { is_continuous: true, ..Rules::default() };
+        Self::new(rules, move || small_worlds::build(world))
     }
 
     /// Builds the scene again, with the rules that all engines follow.
@@ -48,7 +64,7 @@ impl Template {
         let mut world = (self.build)();
         world.integration_parameters.dt = DT;
         world.integration_parameters.num_solver_iterations = SUBSTEPS;
-        world.integration_parameters.max_ccd_substeps = 0;
+        world.integration_parameters.max_ccd_substeps = usize::from(self.rules.is_continuous);
         for (_, body) in world.bodies.iter_mut() {
             if !self.lets_sleep(body) {
                 *body.activation_mut() = RigidBodyActivation::cannot_sleep();
@@ -59,7 +75,7 @@ impl Template {
 
     /// Returns whether this body of the template may fall asleep.
     pub fn lets_sleep(&self, body: &RigidBody) -> bool {
-        self.may_sleep && body.activation().normalized_linear_threshold >= 0.0
+        self.rules.may_sleep && body.activation().normalized_linear_threshold >= 0.0
     }
 
     /// Returns each body with its colliders, in order.

@@ -14,7 +14,7 @@ pub fn world(template: &Template) -> Result<(PhysicsWorld, Vec<RigidBodyHandle>)
     world.gravity = numbers::vector(template.world.gravity);
     world.integration_parameters.dt = numbers::real(DT);
     world.integration_parameters.num_solver_iterations = SUBSTEPS;
-    world.integration_parameters.max_ccd_substeps = 0;
+    world.integration_parameters.max_ccd_substeps = usize::from(template.rules.is_continuous);
     let mut shapes = numbers::Shapes::new();
     let mut bodies = Vec::with_capacity(template.bodies.len());
     for (body, colliders) in template.parts() {

@@ -23,6 +23,8 @@ mod rapier;
 mod same;
 #[path = "../both/separation.rs"]
 mod separation;
+#[path = "../both/small_worlds.rs"]
+mod small_worlds;
 #[path = "../both/template.rs"]
 mod template;
 #[path = "../both/this.rs"]
@@ -35,6 +37,7 @@ mod worlds;
 use crate::catalog::Scene;
 use crate::engine::{Engine, Unsupported};
 use crate::growth::world::World;
+use crate::small::Small;
 use ours::math::Vector;
 use template::Template;
 
@@ -83,6 +86,11 @@ const SCENES: [(&str, bool); 16] = [
 /// Returns the scenes in 2D.
 pub fn scenes() -> Vec<Scene> {
     engines::catalog("2d", &SCENES)
+}
+
+/// Builds a world of few bodies in 2D.
+pub fn small(world: Small) -> Box<dyn crate::engine::Template> {
+    Box::new(Template::small(world))
 }
 
 /// Builds a growing world in 2D.

@@ -70,6 +70,17 @@ pub fn cube(half_extent: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_extent, half_extent, half_extent)
 }
 
+/// Returns a joint that holds a point.
+pub fn pin(anchor1: Vector, anchor2: Vector) -> GenericJoint {
+    let joint = SphericalJointBuilder::new().local_anchor1(anchor1).local_anchor2(anchor2);
+    joint.contacts_enabled(false).into()
+}
+
+/// Returns a hinge.
+pub fn hinge() -> RevoluteJointBuilder {
+    RevoluteJointBuilder::new(Vector::Z)
+}
+
 /// Returns the middle of a cell in a square of `side` by `side` cells around the origin.
 pub fn cell(index: usize, side: usize, spacing: Real) -> Vector {
     let middle = 0.5 * (side - 1) as Real;

@@ -23,6 +23,8 @@ mod rapier;
 mod same;
 #[path = "../both/separation.rs"]
 mod separation;
+#[path = "../both/small_worlds.rs"]
+mod small_worlds;
 #[path = "../both/template.rs"]
 mod template;
 #[path = "../both/this.rs"]
@@ -35,6 +37,7 @@ mod worlds;
 use crate::catalog::Scene;
 use crate::engine::{Engine, Unsupported};
 use crate::growth::world::World;
+use crate::small::Small;
 use ours::math::Vector;
 use template::Template;
 
@@ -90,6 +93,11 @@ const SCENES: [(&str, bool); 23] = [
 /// Returns the scenes in 3D.
 pub fn scenes() -> Vec<Scene> {
     engines::catalog("3d", &SCENES)
+}
+
+/// Builds a world of few bodies in 3D.
+pub fn small(world: Small) -> Box<dyn crate::engine::Template> {
+    Box::new(Template::small(world))
 }
 
 /// Builds a growing world in 3D.

@@ -125,8 +125,8 @@ fn create_world(template: &Template, threads: usize) -> World {
     unsafe {
         let mut definition = b3DefaultWorldDef();
         definition.gravity = vector(template.world.gravity);
-        definition.enableSleep = template.may_sleep;
-        definition.enableContinuous = false;
+        definition.enableSleep = template.rules.may_sleep;
+        definition.enableContinuous = template.rules.is_continuous;
         definition.frictionCallback = Some(box_engines::average);
         definition.restitutionCallback = Some(box_engines::average);
         definition.workerCount = threads as u32;
