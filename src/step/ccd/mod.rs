@@ -70,8 +70,6 @@ const BODIES_PER_TASK: usize = 2;
 #[derive(Default)]
 pub(crate) struct CcdScratch {
     movers: Movers,
-    /// By fast body: whether it passes nothing that is not dynamic.
-    in_the_open: Vec<bool>,
     /// By fast body: its stop by a non-dynamic collider.
     first: Vec<Stop>,
     /// By fast body: the executed fraction of its motion.
@@ -90,7 +88,6 @@ pub(crate) struct CcdScratch {
 
 impl CcdScratch {
     fn clear(&mut self) {
-        self.in_the_open.clear();
         self.first.clear();
         self.toi_fractions.clear();
         self.rides.clear();
@@ -152,7 +149,6 @@ pub(crate) fn find_impacts(
     let context = CcdContext { fast, ..context };
     let CcdScratch {
         movers,
-        in_the_open,
         first,
         toi_fractions,
         rides,
@@ -173,7 +169,7 @@ pub(crate) fn find_impacts(
     tasks.par_fill(deeply_penetrating, BODIES_PER_TASK, |position| {
         let path = match rides.of(position) {
             Some(ride) => ride.path(search, position),
-            None if in_the_open[position] => None,
+            None if search.is_in_the_open(position) => None,
             None => Path::of(search, position, toi_fractions[position]),
         };
         path.is_some_and(|path| path.ends_deep(search))
@@ -195,23 +191,20 @@ pub(crate) fn find_impacts(
 
 /// Finds where non-dynamic colliders stop each fast body.
 fn find_first_stops(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &mut CcdScratch) {
-    let CcdScratch { movers, in_the_open, first, link_trajectories, groups, searched, .. } =
-        scratch;
+    let CcdScratch { movers, first, link_trajectories, groups, searched, .. } = scratch;
     movers.find(context);
     link_trajectories.find(context);
     groups.find(context);
     // A body whose path could not be searched because a hook panicked does not move.
     first.resize(context.fast.len(), Stop::AT_ONCE);
-    in_the_open.resize(context.fast.len(), false);
     let search = Search { context, movers, link_trajectories, groups, searched };
-    tasks.par_fill(in_the_open, BODIES_PER_TASK, |position| search.is_in_the_open(position));
-    tasks.par_fill(first, BODIES_PER_TASK, |position| match in_the_open[position] {
-        true => Stop::NONE,
-        false => first_stop(search, position),
-    });
+    tasks.par_fill(first, BODIES_PER_TASK, |position| first_stop(search, position));
 }
 
 fn first_stop(search: Search<'_>, position: usize) -> Stop {
+    if search.is_in_the_open(position) {
+        return Stop::NONE;
+    }
     let path = Path::of(search, position, 1.0);
     path.map_or(Stop::NONE, |path| path.first_stop(search, NonDynamicFilter::All))
 }
