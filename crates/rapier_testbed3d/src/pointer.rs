@@ -55,7 +55,8 @@ impl Grip {
     }
 }
 
-/// The body under a ray, with the point that it hits.
+/// The body under a ray, with the point that it hits. A half-space that contains the origin is not drawn, and
+/// not picked.
 pub(crate) fn pick(
     world: &PhysicsWorld,
     origin: Vector,
@@ -66,7 +67,11 @@ pub(crate) fn pick(
         return found.next().map(|(handle, _)| (handle, origin));
     }
     let ray = Ray::new(origin, direction);
-    let filter = QueryFilter::default().exclude_sensors();
+    let is_drawn = |_, collider: &Collider| {
+        let local = collider.position().inverse_transform_point(origin);
+        collider.shape().as_halfspace().is_none_or(|plane| local.dot(plane.normal) > 0.0)
+    };
+    let filter = QueryFilter::default().exclude_sensors().predicate(&is_drawn);
     let (handle, distance) = world.cast_ray(&ray, Real::MAX, true, filter)?;
     Some((handle, ray.point_at(distance)))
 }
@@ -98,6 +103,19 @@ mod tests {
         let place = world.bodies[body].translation();
         // Gravity stretches the spring by g / ω², 5 cm.
         assert!((place - grip.target).length() < 0.15, "at {place}");
+    }
+
+    /// A wall of glass in front of a drum is a half-space that faces away.
+    #[test]
+    fn a_body_is_picked_through_the_back_of_a_wall() {
+        let mut world = PhysicsWorld::new();
+        world.insert_collider(ColliderBuilder::halfspace(Vector::X), None);
+        let place = RigidBodyBuilder::dynamic().translation(3.0 * Vector::X);
+        let (_, ball) = world.insert(place, ColliderBuilder::ball(0.5));
+        world.step();
+        let eye = if DIM == 2 { 3.0 * Vector::X } else { -5.0 * Vector::X };
+        let picked = pick(&world, eye, Vector::X);
+        assert_eq!(picked.map(|(collider, _)| collider), Some(ball));
     }
 
     #[test]

@@ -25,7 +25,10 @@ impl GalleryPanel {
         thumbnails: &mut Thumbnails,
     ) -> Option<usize> {
         ui.add_space(6.0);
-        let hint = format!("Search {} scenes", demos.len());
+        let hint = match demos.len() {
+            1 => "Search one scene".to_owned(),
+            count => format!("Search {count} scenes"),
+        };
         ui.add(
             egui::TextEdit::singleline(&mut self.search)
                 .hint_text(hint)
