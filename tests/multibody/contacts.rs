@@ -43,6 +43,31 @@ fn a_chain_on_the_ground_lies_still_and_sleeps() {
     }
 }
 
+/// A ball that nothing touches goes on as before when the last contacts of links go with their chain, and
+/// when it is the only body that is awake.
+#[test]
+fn a_free_ball_outlives_the_contacts_of_links() {
+    let mut world = world(60);
+    add_ground(&mut world, 0.6);
+    let chain = boxes(&mut world, 3, 0.21);
+    let ball = RigidBodyBuilder::dynamic().translation(vec(0.0, 50.0)).gravity_scale(0.0);
+    let ball = ball.linvel(vec(1.0, 0.0)).can_sleep(false);
+    let (ball, _) = world.insert(ball, ColliderBuilder::ball(0.5));
+    run(&mut world, 0.2);
+    let touches = world.contact_pairs().any(|(_, _, pair)| pair.has_any_active_contact);
+    assert!(touches, "links lie on the ground");
+    let mut without = world.clone();
+    chain.bodies.iter().for_each(|&body| {
+        without.remove_body(body);
+    });
+    for _ in 0..steps(&world, 5.0) {
+        world.step();
+        without.step();
+        assert_eq!(world.bodies[ball].position(), without.bodies[ball].position());
+    }
+    assert!(chain.bodies.iter().all(|&body| world.bodies[body].is_sleeping()));
+}
+
 /// Adds a chain of capsules that hangs by its end, horizontal along x. Their round ends touch at the hinges,
 /// which have limits. Every third capsule has a multiple of the others' mass. The post is a capsule as well
 /// if it `is_solid`.

@@ -10,7 +10,8 @@
 //!
 //! All engines follow the same rules: steps of 1/60 s with 4 substeps, and the same compiler profile. No body
 //! sleeps, except in curves over sleeping bodies. Continuous collision detection is off, except in small
-//! worlds. Contact stiffness and recycling have each engine's own defaults. The first step counts as building the world.
+//! worlds. Contact stiffness and recycling have each engine's own defaults. The first step counts as building
+//! the world.
 //!
 //! One program links all engines. This engine and Rapier share the geometry crate, which cargo builds with
 //! the sum of their requested features. This engine requests no feature that changes the code of a step, so

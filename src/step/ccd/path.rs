@@ -51,9 +51,9 @@ impl Search<'_> {
         GAP_MIN * self.context.params.prediction_distance()
     }
 
-    /// Returns whether a fast body passes nothing that is not dynamic: its path is that of the ball around its
-    /// centre of mass that contains its colliders. For a body in free fall the exact region takes ten times
-    /// as long.
+    /// Returns whether a fast body passes nothing that is not dynamic. The test is the box around the path of
+    /// a ball about the centre of mass that contains all colliders. For a body in free fall the exact region
+    /// takes ten times as long.
     pub fn is_in_the_open(self, position: usize) -> bool {
         let CcdContext { fast, bodies, trees, .. } = self.context;
         let motion = &fast[position];

@@ -127,15 +127,13 @@ impl SolverScratch {
         bodies.enter(group, groups);
         constraints.load_links(members, links, context, &pass);
         constraints.load(is_only_group, bodies, links, context, &pass);
-        let (input, are_free) = (context.input(), constraints.are_none());
-        if !are_free {
-            constraints.prepare(input, bodies, &pass);
-            constraints.record_energy(members, links, input.world, bodies, &pass);
-        }
+        let input = context.input();
+        constraints.prepare(input, bodies, &pass);
+        constraints.record_energy(members, links, input.world, bodies, &pass);
         counters.velocity_assembly_time.pause();
 
         counters.velocity_resolution_time.resume();
-        counters.nlimited_bodies += match are_free {
+        counters.nlimited_bodies += match constraints.are_none() {
             true => bodies.move_freely(group.substeps, &pass),
             false => constraints.solve(group.substeps, input, bodies, &pass),
         };

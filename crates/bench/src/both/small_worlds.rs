@@ -13,7 +13,7 @@ const BODIES: usize = 500;
 /// Distance of the cells.
 const SPACING: Real = 3.0;
 /// Speed of fast bodies (m/s). They move by more than their radius in a step.
-const FAST: Real = 60.0;
+const THROW_SPEED: Real = 60.0;
 
 /// Builds a world.
 pub fn build(world: Small) -> PhysicsWorld {
@@ -28,7 +28,7 @@ pub fn build(world: Small) -> PhysicsWorld {
         Small::Chain => chain(&mut built, Vector::ZERO),
         Small::Chains => (0..10).for_each(|k| chain(&mut built, cell(k, 10, 10.0))),
         Small::FreeFall => scatter(&mut built, 0.0),
-        Small::Fast => scatter(&mut built, FAST),
+        Small::Fast => scatter(&mut built, THROW_SPEED),
         Small::AmongFixed => among_fixed(&mut built),
     }
     built

@@ -251,11 +251,8 @@ impl SolverJoints {
     /// Returns whether the direct solver needs another round.
     fn needs_another_round(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
         let Self { blocks, jacobians, direct, geometric_stiffness, .. } = self;
-        direct.needs_another_round(
-            jacobians,
-            pass.inv_substep,
-            stiffness_tests(geometric_stiffness, blocks, bodies, pass),
-        )
+        let test = stiffness_tests(geometric_stiffness, blocks, bodies, pass);
+        direct.needs_another_round(jacobians, pass.inv_substep, test)
     }
 
     /// The islands of all joints, most of them more than once.
