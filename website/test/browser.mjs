@@ -24,11 +24,14 @@ const FIRST_WEIGHT_MAX = 2_000_000;
 /** Time for the page to measure its tables (ms): wide ones become stops of the Tab key. */
 const MEASURING_TIME = 10_000;
 
-/** Time for a page to load (ms), on a machine that does other work too. */
-const LOADING_TIME = 120_000;
+/** Time for a page to load (ms). It finds pages that never end loading: beside two compilers, a sound page took more than 120 s. */
+const LOADING_TIME = 300_000;
 
 /** Findings of axe that belong to others: the page of the search plugin has no main part. */
 const FOREIGN_FINDINGS = { "/search": ["landmark-one-main", "region"] };
+
+/** Pages between two lines of progress: all pages take many minutes. */
+const PROGRESS = 20;
 
 /** Pages that are open at the same time: most of a visit is waiting. */
 const VISITORS = 4;
@@ -73,19 +76,26 @@ async function checkWidth(page, path) {
     if (overflow > 0) fail(path, `${overflow} pixels wider than the window`);
 }
 
-/** Visits the pages that are left, and returns the heaviest one with the ordinary limit. */
+/** Checks a page, and returns its weight. */
+async function checkPage(context, address, path) {
+    const { page, weigh } = await open(context, address, path);
+    const weight = await weigh();
+    if (weight > (WEIGHTS_MAX[path] ?? WEIGHT_MAX)) fail(path, `${weight} bytes`);
+    if (path in WEIGHTS_MAX) console.log(`${path}: ${weight} bytes`);
+    await checkWidth(page, path);
+    await checkAccess(page, path);
+    await checkPictures(page, (message) => fail(path, message));
+    await page.close();
+    return weight;
+}
+
+/** Visits the pages that are left, and returns the heaviest one with the ordinary limit. A page that cannot be checked is a failure, and the visit continues. */
 async function visit(context, address, left) {
     let heaviest = { path: "", weight: 0 };
     for (let path = left.pop(); path !== undefined; path = left.pop()) {
-        const { page, weigh } = await open(context, address, path);
-        const weight = await weigh();
-        if (weight > (WEIGHTS_MAX[path] ?? WEIGHT_MAX)) fail(path, `${weight} bytes`);
-        if (path in WEIGHTS_MAX) console.log(`${path}: ${weight} bytes`);
-        else if (weight > heaviest.weight) heaviest = { path, weight };
-        await checkWidth(page, path);
-        await checkAccess(page, path);
-        await checkPictures(page, (message) => fail(path, message));
-        await page.close();
+        const weight = await checkPage(context, address, path).catch((error) => (fail(path, error.message), 0));
+        if (!(path in WEIGHTS_MAX) && weight > heaviest.weight) heaviest = { path, weight };
+        if (left.length % PROGRESS === 0) console.log(`${left.length} pages are left`);
     }
     return heaviest;
 }
