@@ -2,7 +2,7 @@
 // that is too heavy or wider than a phone, at a squashed, cut or empty picture, and at a finding of axe. Sample pages are also checked and photographed in
 // all sizes and colours: the pictures go to `shots/`. With `--shots`, only the sample pages are visited.
 
-import { existsSync, mkdirSync, readFileSync } from "node:fs";
+import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { chromium } from "playwright-core";
@@ -288,6 +288,39 @@ async function checkMotion(browser, address) {
     }
 }
 
+/** Every thumbnail has a strip of pictures, and shows it under the pointer. */
+async function checkThumbnails(browser, address) {
+    for (const dimension of ["3D", "2D"]) {
+        const context = await browser.newContext({ ...SIZES.desktop, reducedMotion: "no-preference" });
+        const { page } = await open(context, address, "/gallery");
+        await page.getByRole("button", { name: dimension, exact: true }).click();
+        const thumbnails = page.locator(`a[href^="/gallery/${dimension.toLowerCase()}/"]`).filter({ has: page.locator("img") });
+        const count = await thumbnails.count();
+        for (let index = 0; index < count; index += 1) {
+            const thumbnail = thumbnails.nth(index);
+            await thumbnail.hover();
+            const strip = thumbnail.locator(".moving");
+            const fault = await strip.evaluate(stripFault, null, { timeout: 10_000 }).catch(() => "does not appear");
+            if (fault !== null) fail("/gallery", `the strip of ${await thumbnail.getAttribute("href")} ${fault}`);
+        }
+        console.log(`/gallery: the pointer was on ${count} thumbnails in ${dimension}`);
+        if (count === 0) fail("/gallery", `no thumbnails in ${dimension}`);
+        await context.close();
+    }
+}
+
+/** Runs in the page. Returns a message if the strip does not load, is no row of eight pictures, or does not move. */
+async function stripFault(strip) {
+    const { backgroundImage, animationName } = getComputedStyle(strip);
+    const image = new Image();
+    image.src = /url\("(.*)"\)/.exec(backgroundImage)?.[1] ?? "";
+    if (!(await image.decode().then(() => true, () => false))) return "does not load";
+    const box = strip.getBoundingClientRect();
+    const ratio = image.naturalWidth / 8 / image.naturalHeight / (box.width / box.height);
+    if (Math.abs(ratio - 1) > 0.03) return "is squashed";
+    return animationName === "none" ? "does not move" : null;
+}
+
 const samplesOnly = process.argv.includes("--shots");
 const server = await serve(BUILD);
 const browser = await chromium.launch({ executablePath: requireChromium(), args: [...FLAGS, ...RENDERING] });
@@ -301,6 +334,7 @@ try {
     await checkFailure(browser, server.address);
     await checkCard(browser, server.address);
     await checkMotion(browser, server.address);
+    await checkThumbnails(browser, server.address);
     if (!samplesOnly) await visitAll(browser, server.address);
     await photograph(browser, server.address);
 } finally {

@@ -28,6 +28,7 @@ export const SAMPLES = {
     joints: "/docs/guide/joints",
     architecture: "/docs/architecture",
     benchmarks: "/benchmarks",
+    fidelity: "/fidelity",
     tables: "/docs/benchmarks/latest",
     gallery: "/gallery",
     scene: "/gallery/3d/car",

@@ -31,7 +31,7 @@ function Row({ contest, measure }: { readonly contest: Contest; readonly measure
                     <div key={engine} className={clsx(styles.bar, value === least && styles.best)} title={engine}>
                         <span
                             className={styles.fill}
-                            style={{ width: `${largest > 0 ? (72 * value) / largest : 0}%`, background: colour(engine) }}
+                            style={{ width: `${largest > 0 ? (70 * value) / largest : 0}%`, background: colour(engine) }}
                         />
                         <span className="visually-hidden">{engine}:</span>
                         <span>{UNITS[measure].write(value)}</span>

@@ -1,9 +1,9 @@
 // Curves over logarithmic axes.
 
-import type { ReactNode } from "react";
+import { type ReactNode, useEffect, useRef, useState } from "react";
 import styles from "./charts.module.css";
 
-const MARGIN = { left: 84, right: 16, top: 12, bottom: 44 };
+const MARGIN = { left: 84, right: 28, top: 12, bottom: 44 };
 
 export interface Point {
     readonly x: number;
@@ -26,6 +26,7 @@ interface LogPlotProps {
     readonly label: string;
     readonly x: string;
     readonly y: string;
+    /** Width until the page is active (pixels). */
     readonly width?: number;
     readonly height?: number;
     /** The marks of the horizontal axis; powers of ten by default. */
@@ -58,14 +59,28 @@ function Values({ curves, label }: Pick<LogPlotProps, "curves" | "label">): Reac
     );
 }
 
-export default function LogPlot({ curves, label, x, y, width = 760, height = 400, columns }: LogPlotProps): ReactNode {
+/** The width of the page's column: one unit of the picture is one pixel, and text keeps its size on a phone. */
+function useWidth(initial: number) {
+    const frame = useRef<HTMLDivElement>(null);
+    const [width, setWidth] = useState(initial);
+    useEffect(() => {
+        if (frame.current === null) return undefined;
+        const observer = new ResizeObserver(([entry]) => entry.contentRect.width > 0 && setWidth(Math.round(entry.contentRect.width)));
+        observer.observe(frame.current);
+        return () => observer.disconnect();
+    }, []);
+    return { frame, width };
+}
+
+export default function LogPlot({ curves, label, x, y, width: initial = 760, height = 400, columns }: LogPlotProps): ReactNode {
+    const { frame, width } = useWidth(initial);
     const points = curves.flatMap((curve) => curve.points);
     const marks = columns ?? decades(points.map((point) => point.x));
     const lines = decades(points.map((point) => point.y));
     const across = scale(marks, MARGIN.left, width - MARGIN.right);
     const up = scale(lines, height - MARGIN.bottom, MARGIN.top);
     return (
-        <>
+        <div ref={frame}>
             <svg className={styles.plot} viewBox={`0 0 ${width} ${height}`} role="img" aria-label={label}>
                 {marks.map((tick) => (
                     <g key={tick}>
@@ -107,6 +122,6 @@ export default function LogPlot({ curves, label, x, y, width = 760, height = 400
                 ))}
             </svg>
             <Values curves={curves} label={label} />
-        </>
+        </div>
     );
 }

@@ -18,20 +18,17 @@ export interface SceneEntry {
 function Thumbnail({ dimension, id, title, description }: SceneEntry): ReactNode {
     const [moves, setMoves] = useState(false);
     const strip = useBaseUrl(`/thumbnails/${dimension}/moving/${id}.webp`);
+    // The link of Docusaurus replaces `onMouseEnter` with its own.
     return (
-        <Link
-            className={styles.thumbnail}
-            to={`/gallery/${dimension}/${id}`}
-            title={description}
-            onMouseEnter={() => setMoves(true)}
-            onMouseLeave={() => setMoves(false)}
-        >
-            <span className={styles.picture}>
-                <img src={useBaseUrl(`/thumbnails/${dimension}/${id}.webp`)} alt="" width={240} height={150} loading="lazy" />
-                {moves && <span className="moving" style={{ backgroundImage: `url("${strip}")` }} />}
-            </span>
-            <span className={styles.title}>{title}</span>
-        </Link>
+        <div className={styles.cell} onMouseEnter={() => setMoves(true)} onMouseLeave={() => setMoves(false)}>
+            <Link className={styles.thumbnail} to={`/gallery/${dimension}/${id}`} title={description}>
+                <span className={styles.picture}>
+                    <img src={useBaseUrl(`/thumbnails/${dimension}/${id}.webp`)} alt="" width={240} height={150} loading="lazy" />
+                    {moves && <span className="moving" style={{ backgroundImage: `url("${strip}")` }} />}
+                </span>
+                <span className={styles.title}>{title}</span>
+            </Link>
+        </div>
     );
 }
 

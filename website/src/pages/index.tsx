@@ -75,7 +75,7 @@ function Hero(): ReactNode {
                     </Link>
                 </div>
                 <Choice label="Scene" options={SCENES} value={scene} choose={setScene} />
-                <p className={styles.hint}>The scene is live: drag a body, or turn the camera beside it.</p>
+                <p className={styles.hint}>The scene is live: drag a body, or drag the background to rotate the camera.</p>
             </div>
             <LiveScene scene={scene} label={`A live scene of the engine: ${scene}`} className={styles.stage} />
         </header>
