@@ -10,7 +10,7 @@ use rapier::prelude::*;
 fn a_thick_skin_meets_a_ceiling() {
     for (skin, height, error) in [(1.0, 1.8, 0.001), (0.3, 1.6, 0.001), (0.0, 1.8, 0.5)] {
         let mut world = weightless(60);
-        world.integration_parameters.normalized_allowed_linear_error = error;
+        world.integration_parameters.allowed_linear_error = error;
         world.insert_collider(cuboid(5.0, 0.5).translation(vec(0.0, height + 0.5)), None);
         let body = RigidBodyBuilder::dynamic().linvel(vec(60.0, 0.0)).angvel(about_z(180.0));
         let (body, _) = world.insert(body, ColliderBuilder::ball(0.1));
