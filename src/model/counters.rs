@@ -4,8 +4,9 @@ use crate::base::timer::Timer;
 
 /// Times and numbers of the last step of a pipeline.
 ///
-/// Numbers are always counted. Times are measured after [`Self::enable`]: reading the clock takes longer than
-/// a step of a few bodies.
+/// Numbers are always counted. Times are zero until [`Self::enable`]: reading the clocks takes longer than
+/// all else in an empty world. Copies of worlds, and worlds that were loaded, have a pipeline of their own:
+/// it does not measure times.
 #[derive(Copy, Clone, Debug)]
 pub struct Counters {
     enabled: bool,

@@ -12,6 +12,7 @@ pub fn detect(
     events: &dyn EventHandler,
 ) {
     let mut pipeline = CollisionPipeline::new();
+    pipeline.counters.enable();
     pipeline.step(
         &world.integration_parameters,
         &mut world.islands,

@@ -87,9 +87,11 @@ fn a_pipeline_belongs_to_no_world() {
 }
 
 #[test]
-fn counters_count_and_can_be_switched_off() {
+fn counters_count_and_measure_on_request() {
     let (mut world, _) = world_with_ground();
     add_box(&mut world, vec(0.0, 0.5), plain);
+    assert!(!world.physics_pipeline.counters.enabled(), "a clock takes longer than a small step");
+    world.physics_pipeline.counters.enable();
     steps(&mut world, 2);
     let counters = &world.physics_pipeline.counters;
     assert!(counters.enabled() && counters.step_time_ms() > 0.0);

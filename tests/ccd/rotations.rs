@@ -4,6 +4,24 @@ use crate::dim::{about_z, cuboid, sheet, vec};
 use crate::suite::physics::stage::weightless;
 use rapier::prelude::*;
 
+/// A part with a thick skin, far from the centre of mass, stops below a ceiling that the body itself does not
+/// reach: at the distance of its skin, or at the allowed error of contacts.
+#[test]
+fn a_thick_skin_meets_a_ceiling() {
+    for (skin, height, error) in [(1.0, 1.8, 0.001), (0.3, 1.6, 0.001), (0.0, 1.8, 0.5)] {
+        let mut world = weightless(60);
+        world.integration_parameters.allowed_linear_error = error;
+        world.insert_collider(cuboid(5.0, 0.5).translation(vec(0.0, height + 0.5)), None);
+        let body = RigidBodyBuilder::dynamic().linvel(vec(60.0, 0.0)).angvel(about_z(180.0));
+        let (body, _) = world.insert(body, ColliderBuilder::ball(0.1));
+        let arm = ColliderBuilder::capsule_x(1.0, 0.1).density(0.0).contact_skin(skin);
+        world.insert_collider(arm.translation(vec(0.0, -1.0)), Some(body));
+        world.step();
+        assert_eq!(world.physics_pipeline.counters.ccd.num_substeps, 1, "skin {skin}");
+        assert!(world.bodies[body].translation().x < 0.9, "skin {skin}: not stopped");
+    }
+}
+
 /// A bar of 2 m rotates about a hinge at its middle, past a post of 4 cm.
 #[test]
 fn a_bar_does_not_skip_a_post() {

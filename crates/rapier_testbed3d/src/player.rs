@@ -78,7 +78,7 @@ impl Player {
         if let Some(grip) = grip {
             grip.pull(&mut self.scene.world);
         }
-        // A world that was loaded does not measure times.
+        // Neither new worlds nor loaded ones measure times.
         self.scene.world.physics_pipeline.counters.enable();
         self.scene.step();
         self.history.after_step(&self.scene);

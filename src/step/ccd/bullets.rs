@@ -7,7 +7,7 @@
 //! all searches end with the balls around the bodies, which miss each other.
 
 use super::Search;
-use super::path::Path;
+use super::path::{Path, ROUNDING};
 use crate::base::bvh::{BoxProbe, BoxTree};
 use crate::base::segments::Segments;
 use crate::dim::math::{Real, Vector};
@@ -16,9 +16,6 @@ use crate::model::tree::TreeKind;
 use core::cmp::Ordering;
 use parry::bounding_volume::Aabb;
 use std::collections::BinaryHeap;
-
-/// Error of positions, as a fraction of the path length.
-const ROUNDING: Real = 64.0 * Real::EPSILON;
 
 /// Buffers of the search.
 #[derive(Default)]
@@ -238,11 +235,9 @@ impl Ball {
         let body = search.context.bodies.get(motion.body);
         // A link does not go straight.
         let body = body.filter(|_| motion.link.is_none());
-        let skins = body.iter().flat_map(|body| &body.colliders);
-        let skins = skins.filter_map(|&handle| search.context.colliders.get(handle));
-        let skin = skins.map(|collider| collider.contact_skin).fold(0.0, Real::max);
-        let margin = search.context.params.prediction_distance() + skin;
-        let radius = body.map_or(Real::INFINITY, |body| body.extent + margin);
+        let prediction = search.context.params.prediction_distance();
+        let radius =
+            body.map_or(Real::INFINITY, |body| body.extent + prediction + search.skin_of(body));
         Self { center: motion.center, shift: motion.path_shift(), radius }
     }
 

@@ -17,8 +17,8 @@ use smallvec::SmallVec;
 /// Minimum gap of stopped bodies, as a fraction of the prediction distance.
 const GAP_MIN: Real = 0.01;
 
-/// Room for rounding around the ball that contains a body.
-const BALL_MARGIN: Real = 1.01;
+/// Error of positions, as a fraction of lengths and of the distance from the origin.
+pub(super) const ROUNDING: Real = 64.0 * Real::EPSILON;
 
 /// Selects the non-dynamic colliders that a path is searched against.
 #[derive(Copy, Clone)]
@@ -51,18 +51,32 @@ impl Search<'_> {
         GAP_MIN * self.context.params.prediction_distance()
     }
 
-    /// Returns whether a fast body passes nothing that is not dynamic. The test is the box around the path of
-    /// a ball about the centre of mass that contains all colliders. For a body in free fall the exact region
-    /// takes ten times as long.
+    /// The gap at which colliders without skins stop (length units).
+    fn gap(&self) -> Real {
+        self.context.params.allowed_linear_error().max(self.gap_min())
+    }
+
+    /// The largest contact skin of a body's colliders.
+    pub fn skin_of(&self, body: &RigidBody) -> Real {
+        let colliders = body.colliders.iter();
+        let colliders = colliders.filter_map(|&handle| self.context.colliders.get(handle));
+        colliders.map(|collider| collider.contact_skin).fold(0.0, Real::max)
+    }
+
+    /// Returns whether nothing that is not dynamic, sensors included, is near the path of a fast body. The
+    /// path is that of a ball about the centre of mass: it contains all colliders, and the gap at which they
+    /// stop. (The boxes of the others contain their skins.) For a body in free fall the exact region takes
+    /// ten times as long.
     pub fn is_in_the_open(self, position: usize) -> bool {
         let CcdContext { fast, bodies, trees, .. } = self.context;
         let motion = &fast[position];
         let Some(body) = bodies.get(motion.body).filter(|_| motion.link.is_none()) else {
             return false;
         };
-        let end = motion.center + motion.shift;
-        let path = Aabb::new(motion.center.min(end), motion.center.max(end));
-        let region = path.loosened(BALL_MARGIN * body.extent);
+        let (start, end) = (motion.center, motion.center + motion.shift);
+        let radius = body.extent + self.gap() + self.skin_of(body);
+        let rounding = ROUNDING * (start.abs().max(end.abs()).max_element() + radius);
+        let region = Aabb::new(start.min(end), start.max(end)).loosened(radius + rounding);
         let mut is_open = true;
         for kind in [TreeKind::Fixed, TreeKind::Kinematic] {
             trees.for_each_overlapping(kind, &region, |_| is_open = false);
@@ -242,7 +256,7 @@ impl<'a> Mover<'a> {
         let params = search.context.params;
         let skin = self.collider.contact_skin + other.collider.contact_skin;
         let goal = SweepGoal {
-            gap: params.allowed_linear_error().max(search.gap_min()) + skin,
+            gap: search.gap() + skin,
             overlap: match params.ccd_on_penetration {
                 true => Overlap::StopsEarly,
                 false => Overlap::Passes,

@@ -209,6 +209,7 @@ impl Groups {
         let SolverInput { world: bodies, narrow_phase, joints, islands } = input;
         self.order.clear();
         self.groups.clear();
+        // Nothing is solved: contacts and lanes stay as they are.
         if islands.awake.is_empty() {
             return;
         }

@@ -133,9 +133,10 @@ impl SolverScratch {
         counters.velocity_assembly_time.pause();
 
         counters.velocity_resolution_time.resume();
-        counters.nlimited_bodies += match constraints.are_none() {
-            true => bodies.move_freely(group.substeps, &pass),
-            false => constraints.solve(group.substeps, input, bodies, &pass),
+        counters.nlimited_bodies += if constraints.is_empty() {
+            bodies.move_freely(group.substeps, &pass)
+        } else {
+            constraints.solve(group.substeps, input, bodies, &pass)
         };
         counters.velocity_resolution_time.pause();
 
@@ -211,9 +212,9 @@ impl Constraints {
         self.impacts.load(&self.contacts, bodies);
     }
 
-    /// Returns whether the bodies of the group are free: nothing holds or touches any of them.
-    fn are_none(&self) -> bool {
-        self.joints.len() + self.contacts.len() == 0 && self.multibodies.is_empty()
+    /// Returns whether there are none: nothing holds or touches the bodies.
+    fn is_empty(&self) -> bool {
+        self.joints.len() == 0 && self.contacts.len() == 0 && self.multibodies.is_empty()
     }
 
     /// Computes effective masses, and applies the impulses of the last step.

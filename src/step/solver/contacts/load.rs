@@ -82,6 +82,7 @@ impl SolverContacts {
             if color != OVERFLOW {
                 self.starts.push(first as u32);
             }
+            // Reserved blocks keep their places, or become fewer.
             let is_reserved = capacity.as_ref().is_some_and(|blocks| blocks[color as usize] > 0);
             if list.is_empty() && !is_reserved {
                 continue;
