@@ -2,7 +2,7 @@
 //!
 //! Here all engines detect collisions continuously, as their defaults do. A round is a fresh world. After
 //! some steps to settle, blocks of steps are timed, and the shortest block of all rounds counts: other
-//! programs can only lengthen one.
+//! programs can only lengthen a block.
 
 use crate::args::Options;
 use crate::catalog::{Scene, engine_name};
@@ -44,13 +44,13 @@ pub enum Small {
     Door,
     /// Five boxes that hang on each other.
     Chain,
-    /// Ten of these.
+    /// Ten such chains.
     Chains,
     /// 500 balls in free fall.
     FreeFall,
     /// 500 balls that are thrown upwards at 60 m/s.
     Fast,
-    /// 20 boxes on 10,000 fixed ones.
+    /// 20 boxes on 10,000 fixed blocks.
     AmongFixed,
 }
 
@@ -79,7 +79,7 @@ impl Small {
             Self::Chains => "ten chains of 5",
             Self::FreeFall => "500 balls in free fall",
             Self::Fast => "500 fast balls, nothing near",
-            Self::AmongFixed => "20 boxes on 10,000 fixed ones",
+            Self::AmongFixed => "20 boxes on 10,000 fixed blocks",
         }
     }
 }

@@ -78,8 +78,6 @@ impl Player {
         if let Some(grip) = grip {
             grip.pull(&mut self.scene.world);
         }
-        // Neither new worlds nor loaded ones measure times.
-        self.scene.world.physics_pipeline.counters.enable();
         self.scene.step();
         self.history.after_step(&self.scene);
     }

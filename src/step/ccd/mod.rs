@@ -169,7 +169,7 @@ pub(crate) fn find_impacts(
     tasks.par_fill(deeply_penetrating, BODIES_PER_TASK, |position| {
         let path = match rides.of(position) {
             Some(ride) => ride.path(search, position),
-            None if search.is_in_the_open(position) => None,
+            None if first[position].is_open => None,
             None => Path::of(search, position, toi_fractions[position]),
         };
         path.is_some_and(|path| path.ends_deep(search))
@@ -203,7 +203,7 @@ fn find_first_stops(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &mut Ccd
 
 fn first_stop(search: Search<'_>, position: usize) -> Stop {
     if search.is_in_the_open(position) {
-        return Stop::NONE;
+        return Stop::OPEN;
     }
     let path = Path::of(search, position, 1.0);
     path.map_or(Stop::NONE, |path| path.first_stop(search, NonDynamicFilter::All))

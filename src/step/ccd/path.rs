@@ -64,25 +64,33 @@ impl Search<'_> {
     }
 
     /// Returns whether nothing that is not dynamic, sensors included, is near the path of a fast body. The
-    /// path is that of a ball about the centre of mass: it contains all colliders, and the gap at which they
-    /// stop. (The boxes of the others contain their skins.) For a body in free fall the exact region takes
-    /// ten times as long.
+    /// path is that of a ball about the centre of mass: it contains all colliders, and the gap at which the
+    /// colliders stop. (The boxes of other colliders contain the skins of these colliders.) For a body in
+    /// free fall the exact region takes ten times as long.
     pub fn is_in_the_open(self, position: usize) -> bool {
-        let CcdContext { fast, bodies, trees, .. } = self.context;
-        let motion = &fast[position];
-        let Some(body) = bodies.get(motion.body).filter(|_| motion.link.is_none()) else {
-            return false;
-        };
+        let motion = &self.context.fast[position];
+        let body = self.context.bodies.get(motion.body).filter(|_| motion.link.is_none());
+        let Some(body) = body else { return false };
         let (start, end) = (motion.center, motion.center + motion.shift);
         let radius = body.extent + self.gap() + self.skin_of(body);
         let rounding = ROUNDING * (start.abs().max(end.abs()).max_element() + radius);
         let region = Aabb::new(start.min(end), start.max(end)).loosened(radius + rounding);
         let mut is_open = true;
-        for kind in [TreeKind::Fixed, TreeKind::Kinematic] {
-            trees.for_each_overlapping(kind, &region, |_| is_open = false);
-        }
-        self.movers.for_each_in(&region, |_| is_open = false);
+        self.for_each_box(NonDynamicFilter::All, &region, |_| is_open = false);
         is_open
+    }
+
+    /// Calls `visit` with the slots of colliders whose boxes overlap a region, some of them more than once.
+    fn for_each_box(self, filter: NonDynamicFilter, region: &Aabb, mut visit: impl FnMut(u32)) {
+        let kinds: &[_] = match filter {
+            NonDynamicFilter::Moving => &[],
+            _ => &[TreeKind::Fixed, TreeKind::Kinematic],
+        };
+        for &kind in kinds {
+            self.context.trees.for_each_overlapping(kind, region, &mut visit);
+        }
+        // The trees have kinematic colliders where they were.
+        self.movers.for_each_in(region, visit);
     }
 
     /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies, in slot order. Of
@@ -93,19 +101,11 @@ impl Search<'_> {
         region: &Aabb,
         mut visit: impl FnMut(Mover<'_>),
     ) {
-        let CcdContext { trees, colliders, .. } = self.context;
         let mut slots = SmallVec::<[u32; 16]>::new();
-        let kinds: &[_] = match filter {
-            NonDynamicFilter::Moving => &[],
-            _ => &[TreeKind::Fixed, TreeKind::Kinematic],
-        };
-        for &kind in kinds {
-            trees.for_each_overlapping(kind, region, |slot| slots.push(slot));
-        }
-        // The trees have kinematic colliders where they were.
-        self.movers.for_each_in(region, |slot| slots.push(slot));
+        self.for_each_box(filter, region, |slot| slots.push(slot));
         slots.sort_unstable();
         slots.dedup();
+        let colliders = self.context.colliders;
         for (handle, collider) in slots.into_iter().filter_map(|slot| colliders.at_slot(slot)) {
             let is_on = |body| collider.parent() == Some(body);
             let is_left_out = matches!(filter, NonDynamicFilter::NotOn(Some(body)) if is_on(body));
@@ -194,7 +194,8 @@ impl<'a> Path<'a> {
             let region = mover.sweep.region_of_core(Solid::of(mover.collider));
             search.for_each_non_dynamic(filter, &region, |other| {
                 if let Some(fraction) = mover.impact(&other, search, first.fraction) {
-                    first = Stop { fraction, by: other.sweep.moves().then_some(other.handle) };
+                    let by = other.sweep.moves().then_some(other.handle);
+                    first = Stop { fraction, by, ..Stop::NONE };
                 }
             });
         }

@@ -44,13 +44,17 @@ pub(super) struct Stop {
     pub fraction: Real,
     /// The collider that it meets then, if that moves.
     pub by: Option<ColliderHandle>,
+    /// Whether nothing that is not dynamic is near the whole path.
+    pub is_open: bool,
 }
 
 impl Stop {
     /// The motion happens as a whole.
-    pub const NONE: Self = Self { fraction: 1.0, by: None };
+    pub const NONE: Self = Self { fraction: 1.0, by: None, is_open: false };
     /// It does not happen at all.
-    pub const AT_ONCE: Self = Self { fraction: 0.0, by: None };
+    pub const AT_ONCE: Self = Self { fraction: 0.0, by: None, is_open: false };
+    /// Nothing is near that could stop the motion.
+    pub const OPEN: Self = Self { is_open: true, ..Self::NONE };
 }
 
 /// The rest of a step on kinematic bodies.

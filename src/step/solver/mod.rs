@@ -212,7 +212,7 @@ impl Constraints {
         self.impacts.load(&self.contacts, bodies);
     }
 
-    /// Returns whether there are none: nothing holds or touches the bodies.
+    /// Returns whether nothing holds or touches the bodies.
     fn is_empty(&self) -> bool {
         self.joints.len() == 0 && self.contacts.len() == 0 && self.multibodies.is_empty()
     }

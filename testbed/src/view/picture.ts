@@ -41,8 +41,9 @@ interface Shown<R extends EngineModule, W extends WorldLike> {
     sun: Sun | null;
 }
 
-/** Fraction of bodies at each side that photographs may leave out, and the gap before such a body as a fraction of the part with the others. */
+/** Fraction of bodies at each side that photographs may leave out. */
 const OUTLIERS = 0.03;
+/** Smallest gap before such a body, as a fraction of the extent of all other bodies. */
 const OUTLIER_GAP = 0.2;
 /** Half of the smallest part that photographs show, and its margin around the centres of bodies, in halves of the viewport. */
 const HALF_MIN = 0.3;
@@ -205,7 +206,7 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
             const at = (index: number): number => values[index] ?? 0;
             let first = Math.round(OUTLIERS * (values.length - 1));
             let last = Math.round((1 - OUTLIERS) * (values.length - 1));
-            // The top of a pyramid is few bodies, and no outlier: without a gap, the picture includes it.
+            // The top of a pyramid has few bodies. Without a gap, the picture includes the top.
             const gap = OUTLIER_GAP * (at(last) - at(first));
             while (first > 0 && at(first) - at(first - 1) <= gap) first -= 1;
             while (last < values.length - 1 && at(last + 1) - at(last) <= gap) last += 1;

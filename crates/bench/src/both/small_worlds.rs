@@ -43,7 +43,7 @@ fn on_ground(world: &mut PhysicsWorld, collider: ColliderBuilder) {
     insert(world, 0.5 * Vector::Y, collider);
 }
 
-/// A leaf that a motor swings to and fro: the limits of the hinge stop it.
+/// A leaf that a motor swings to and fro: the limits of the hinge stop the leaf.
 fn door(world: &mut PhysicsWorld) {
     let frame = world.insert_body(RigidBodyBuilder::fixed());
     let leaf = world.insert_body(RigidBodyBuilder::dynamic().translation(0.5 * Vector::X));

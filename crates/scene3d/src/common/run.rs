@@ -24,7 +24,6 @@ pub fn entries(scenes: &[SceneInfo]) -> Vec<Entry> {
 
 impl SceneRun for Scene {
     fn step(&mut self) -> StageTimes {
-        self.world.physics_pipeline.counters.enable();
         Scene::step(self);
         measured(&self.world)
     }

@@ -202,8 +202,9 @@ impl Scene {
         self
     }
 
-    /// Runs the script, takes a step, then runs the reaction to its events.
+    /// Runs the script, takes a step whose stages are timed, then runs the reaction to its events.
     pub fn step(&mut self) {
+        self.world.physics_pipeline.counters.enable();
         self.step_by(|world, hooks, events| world.step_with_events(hooks, events));
     }
 

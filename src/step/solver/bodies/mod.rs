@@ -44,7 +44,7 @@ pub(super) struct SolverBodies {
     any_scaled: bool,
     /// By index: whether the inertia changes so much during the step that contacts follow the body.
     pub uneven: Vec<bool>,
-    /// The indices of uneven bodies, and their inverse inertias when the step began.
+    /// The indices of uneven bodies in ascending order, and their inverse inertias when the step began.
     uneven_starts: Vec<(u32, AngularInertia)>,
     /// By index: the island, or [`NONE`].
     pub islands: Vec<u32>,
@@ -223,9 +223,11 @@ impl SolverBodies {
         }
     }
 
-    /// Rotates the inertias of uneven bodies to their present orientations.
+    /// Rotates the inertias of uneven bodies of the group to their present orientations.
     pub fn turn_uneven(&mut self, simd: Simd) {
-        let Self { uneven_starts, states, poses, .. } = self;
+        let Self { uneven_starts, states, poses, moving: [_, members], .. } = self;
+        let position = |end: usize| uneven_starts.partition_point(|start| (start.0 as usize) < end);
+        let uneven_starts = &uneven_starts[position(members.start)..position(members.end)];
         simd.run(TurnInertias { uneven_starts, states, poses });
     }
 

@@ -131,7 +131,7 @@ fn solve_unilateral(
 }
 
 impl SolverMultibodies {
-    /// Returns whether there is none.
+    /// Returns whether there are no multibodies.
     pub fn is_empty(&self) -> bool {
         self.moving.is_empty()
     }
