@@ -26,6 +26,8 @@ mod limbs;
 mod top;
 #[path = "joints/space.rs"]
 mod joints;
+#[path = "joints/swings.rs"]
+mod swings;
 #[path = "multibody/whips.rs"]
 mod whips;
 #[path = "physics/beams.rs"]

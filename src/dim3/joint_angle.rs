@@ -2,7 +2,7 @@
 
 use crate::base::trig::atan2;
 use crate::dim3::joint_axes::{JointAxesMask, JointAxis, twist};
-use crate::dim3::math::{AngVector, Real, Rotation, SpatialVector, Vector, rotation_to_angle};
+use crate::dim3::math::{AngVector, Real, Rotation, SpatialVector, Vector};
 
 /// Free rotations of a joint, and groups of them that are measured together.
 #[derive(Copy, Clone, Debug)]
@@ -19,21 +19,32 @@ impl FreeRotations {
 
     /// Returns whether this is the only free rotation. Then its turns can be counted.
     pub fn is_single(&self) -> bool {
-        (self.free & JointAxesMask::ANG_AXES).bits().count_ones() == 1
+        self.count() == 1
+    }
+
+    fn count(&self) -> u32 {
+        (self.free & JointAxesMask::ANG_AXES).bits().count_ones()
     }
 }
 
 /// The definition of the angle of an axis: see the head of `joint/`.
 #[derive(Copy, Clone, Debug)]
 pub(crate) enum Angle {
-    /// The angle of the whole rotation.
-    Whole,
     /// Twist of the second frame about this axis.
     Twist(Vector),
-    /// Swing of this axis, in any direction.
+    /// The size of a turn.
+    Size(Turn),
+    /// The component of a turn about this axis.
+    Component(Turn, Vector),
+}
+
+/// A rotation whose rotation vector has the angles.
+#[derive(Copy, Clone, Debug)]
+pub(crate) enum Turn {
+    /// The whole rotation.
+    Whole,
+    /// The swing: the shortest rotation that leads this axis where the second body has taken it.
     Swing(Vector),
-    /// Swing of X towards this axis.
-    Tilt(Vector),
 }
 
 impl Angle {
@@ -42,15 +53,39 @@ impl Angle {
         let coupled = rotations.coupled & rotations.free & JointAxesMask::ANG_AXES;
         let own = JointAxesMask::from_bits_truncate(1 << axis as u8);
         let alone = JointAxesMask::ANG_AXES - coupled;
-        let is_twist = rotations.is_single() || axis == JointAxis::AngX;
-        match coupled.bits().count_ones() {
-            3 => Self::Whole,
-            2 if coupled.contains(own) => Self::Swing(unit(alone)),
-            2 => Self::Twist(unit(own)),
-            _ if is_twist => Self::Twist(unit(own)),
-            // A turn about Y leads X to -Z, one about Z to Y.
-            _ if axis == JointAxis::AngY => Self::Tilt(-Vector::Z),
-            _ => Self::Tilt(Vector::Y),
+        match (coupled.bits().count_ones(), rotations.count()) {
+            (3, _) => Self::Size(Turn::Whole),
+            (2, _) if coupled.contains(own) => Self::Size(Turn::Swing(unit(alone))),
+            (2, _) | (_, 1) => Self::Twist(unit(own)),
+            (_, 2) => Self::Component(Turn::Whole, unit(own)),
+            _ if axis == JointAxis::AngX => Self::Twist(Vector::X),
+            _ => Self::Component(Turn::Swing(Vector::X), unit(own)),
+        }
+    }
+}
+
+impl Turn {
+    /// The sine of the angle `ρ` times the axis, the cosine, and the size of the turn as a multiple of `ρ`.
+    fn parts(self, rotation: &Rotation) -> (Vector, Real, Real) {
+        match self {
+            Self::Whole => {
+                // A quaternion and its negative are the same rotation.
+                let sign = if rotation.w < 0.0 { -1.0 } else { 1.0 };
+                let v = Vector::new(rotation.x, rotation.y, rotation.z);
+                (v * sign, rotation.w * sign, 2.0)
+            }
+            Self::Swing(e) => {
+                let f = *rotation * e;
+                (e.cross(f), e.dot(f), 1.0)
+            }
+        }
+    }
+
+    /// The direction of a turn that has none.
+    pub(crate) fn default_axis(self) -> AngVector {
+        match self {
+            Self::Whole => Vector::X,
+            Self::Swing(e) => e.any_orthonormal_vector(),
         }
     }
 }
@@ -63,10 +98,9 @@ pub(crate) fn angle_about(
     rotation: &Rotation,
 ) -> (Real, AngVector) {
     match Angle::of(axis, rotations) {
-        Angle::Whole => whole_angle(rotation),
         Angle::Twist(e) => twist_about(e, rotation),
-        Angle::Swing(e) => swing_of(e, rotation),
-        Angle::Tilt(g) => tilt_towards(g, rotation),
+        Angle::Size(turn) => size_of(turn, rotation),
+        Angle::Component(turn, e) => component_of(turn, e, rotation),
     }
 }
 
@@ -79,12 +113,6 @@ fn unit(mask: JointAxesMask) -> Vector {
     }
 }
 
-fn whole_angle(rotation: &Rotation) -> (Real, AngVector) {
-    let rotvec = rotation_to_angle(rotation);
-    let angle = rotvec.length();
-    (angle, if angle > 0.0 { rotvec / angle } else { AngVector::X })
-}
-
 /// The twist about `e`.
 fn twist_about(e: Vector, rotation: &Rotation) -> (Real, AngVector) {
     let about = Vector::new(rotation.x, rotation.y, rotation.z).dot(e);
@@ -94,23 +122,24 @@ fn twist_about(e: Vector, rotation: &Rotation) -> (Real, AngVector) {
     (angle, if sum > 1.0e-3 { (e + f) / sum } else { e })
 }
 
-/// Swing of `e`, in any direction.
-fn swing_of(e: Vector, rotation: &Rotation) -> (Real, AngVector) {
-    let f = *rotation * e;
-    let across = e.cross(f);
-    let (sin, cos) = (across.length(), e.dot(f));
-    (atan2(sin, cos), if sin > 0.0 { across / sin } else { e.any_orthonormal_vector() })
+fn size_of(turn: Turn, rotation: &Rotation) -> (Real, AngVector) {
+    let (across, cos, multiple) = turn.parts(rotation);
+    let sin = across.length();
+    (multiple * atan2(sin, cos), if sin > 0.0 { across / sin } else { turn.default_axis() })
 }
 
-/// Swing of X towards `g`.
-fn tilt_towards(g: Vector, rotation: &Rotation) -> (Real, AngVector) {
-    let f = *rotation * Vector::X;
-    let (sin, cos) = (f.dot(g), f.x);
-    let length_squared = sin * sin + cos * cos;
-    if length_squared < 1.0e-6 {
-        return (0.0, Vector::X.cross(g));
+/// The component of a turn about `e`.
+fn component_of(turn: Turn, e: Vector, rotation: &Rotation) -> (Real, AngVector) {
+    let (across, cos, multiple) = turn.parts(rotation);
+    let sin = across.length();
+    if sin <= 0.0 {
+        return (0.0, e);
     }
-    (atan2(sin, cos), (f.cross(g) * cos - f.cross(Vector::X) * sin) / length_squared)
+    let (n, angle) = (across / sin, atan2(sin, cos));
+    let along = n.dot(e);
+    let straight = angle * cos / sin;
+    let direction = e * straight + n * (along * (1.0 - straight)) + n.cross(e) * angle;
+    (multiple * angle * along, direction)
 }
 
 /// The angular part of a joint's impulses.

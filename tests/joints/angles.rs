@@ -4,11 +4,9 @@ use rapier::prelude::*;
 
 const AXES: [JointAxis; 3] = [JointAxis::AngX, JointAxis::AngY, JointAxis::AngZ];
 
-/// Directions of the second frame's X axis, seen from the first.
-fn directions() -> impl Iterator<Item = Vector> {
-    let sides = [(0.0, 0.0), (0.5, 0.0), (0.0, -0.7), (0.8, 1.3), (-1.2, 0.4), (-2.0, -1.0)];
-    sides.into_iter().map(|(y, z)| Vector::new(1.0, y, z).normalize())
-}
+/// Components about Y and Z of the rotation vectors of swings.
+const SWINGS: [(Real, Real); 7] =
+    [(0.0, 0.0), (0.5, 0.0), (0.0, -0.7), (0.8, 1.3), (-1.2, 0.4), (2.0, -1.0), (0.3, 3.1)];
 
 /// Frames of the joint on its bodies, and rotations of the first body.
 fn frames() -> [(Rotation, Rotation, Rotation); 2] {
@@ -29,20 +27,20 @@ fn close(found: Option<Real>, expected: Real) -> bool {
     found.is_some_and(|found| (found - expected).abs() < 2.0e-5)
 }
 
-/// The twist is that of `swing · twist`. Each swing is the angle of the direction of the X axis in a plane.
+/// The angles of a ball joint are the twist and the components of the swing's rotation vector, of any swing up to
+/// half a turn. Both components together have the length of that vector.
 #[test]
 fn twist_and_swing_have_their_formulas() {
     for (frame1, frame2, body1) in frames() {
-        for direction in directions() {
+        for (about_y, about_z) in SWINGS {
             for twist in [0.0, 0.9, -2.5] {
-                let swing = Rotation::from_rotation_arc(Vector::X, direction);
+                let swing = Rotation::from_scaled_axis(Vector::new(0.0, about_y, about_z));
                 let between = swing * Rotation::from_rotation_x(twist);
                 let mut joint: GenericJoint = SphericalJoint::new().into();
                 joint.local_frame1.rotation = frame1;
                 joint.local_frame2.rotation = frame2;
                 let body2 = second_body(&joint, body1, between);
-                let expected =
-                    [twist, (-direction.z).atan2(direction.x), direction.y.atan2(direction.x)];
+                let expected = [twist, about_y, about_z];
                 let found = AXES.map(|axis| joint.angle(axis, &body1, &body2));
                 let are_close =
                     found.iter().zip(expected).all(|(found, angle)| close(*found, angle));
@@ -51,8 +49,32 @@ fn twist_and_swing_have_their_formulas() {
                 // One angle for the swing in any direction.
                 joint.coupled_axes = JointAxesMask::ANG_Y | JointAxesMask::ANG_Z;
                 for axis in [JointAxis::AngY, JointAxis::AngZ] {
-                    let found = joint.angle(axis, &body1, &body2);
-                    assert!(close(found, direction.x.acos()), "{found:?} of {direction}");
+                    let (found, size) = (joint.angle(axis, &body1, &body2), about_y.hypot(about_z));
+                    assert!(close(found, size), "{found:?} instead of {size}");
+                }
+            }
+        }
+    }
+}
+
+/// The angles of a joint with two free rotations are the components of its rotation vector.
+#[test]
+fn two_rotations_are_the_components_of_a_rotation_vector() {
+    for (frame1, frame2, body1) in frames() {
+        for locked in 0..3 {
+            let mask = JointAxesMask::from_bits_truncate(1 << AXES[locked] as u8);
+            let mut joint = GenericJoint::new(JointAxesMask::LIN_AXES | mask);
+            joint.local_frame1.rotation = frame1;
+            joint.local_frame2.rotation = frame2;
+            for (first, second) in SWINGS {
+                let mut turn = [first, second, second];
+                turn[1] = if locked == 0 { first } else { second };
+                turn[locked] = 0.0;
+                let between = Rotation::from_scaled_axis(turn.into());
+                let body2 = second_body(&joint, body1, between);
+                for axis in (0..3).filter(|axis| *axis != locked) {
+                    let found = joint.angle(AXES[axis], &body1, &body2);
+                    assert!(close(found, turn[axis]), "{found:?} of {turn:?}, {axis}");
                 }
             }
         }

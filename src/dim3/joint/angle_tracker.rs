@@ -1,24 +1,19 @@
 //! The angles of free axes while the bodies move, lane by lane.
 //!
-//! Each kind of angle is the angle of a point `(cos, sin)` on a circle:
-//!
-//! * a *twist* about `e` is twice the angle of `(w, v·e)`; that of the whole rotation is a twist about an `e`
-//!   that follows `v`,
-//! * A *tilt* of `e` towards `g` is the angle of `(f·e, f·g)`; a swing in any direction is a tilt towards a
-//!   `g` that follows `f`.
-//!
-//! The tracker adds the angle since the start of the step to the initial angle. For two points with the
-//! complex numbers `z₀` and `z`, it is the angle of `z z₀*`. So turns that were counted stay counted, and
-//! small angles keep their digits.
+//! A *twist* about `e` is twice the angle of the point `(w, v·e)` on a circle. The tracker adds the twist since
+//! the start of the step to the initial one. For two points with the complex numbers `z₀` and `z`, it is the
+//! angle of `z z₀*`. So turns that were counted stay counted, and small angles keep their digits.
 //!
 //! That is ambiguous by whole turns. A wheel that rotates by 5 rad in a step has the same pose as after -1.3
 //! rad. The sum of the rotations of all substeps is a second estimate of the bodies' relative rotation. With
 //! one free rotation and counted turns, this estimate selects among these values. It needs an error of less
 //! than half a turn only, so a rotation of the axis itself does no harm.
+//!
+//! The size and the components of a *turn* have no counted turns, and are those of the present pose.
 
 use crate::base::trig::sin_cos;
 use crate::base::wide::{Lane, Wide};
-use crate::dim3::joint_angle::{Angle, FreeRotations};
+use crate::dim3::joint_angle::{Angle, FreeRotations, Turn};
 use crate::dim3::joint_axes::JointAxis;
 use crate::dim3::math::{Real, Vector};
 use crate::dim3::rotation_vector::{atan_excess, nearest_whole};
@@ -29,45 +24,44 @@ const LENGTH_MIN: Real = 1.0e-12;
 const TURN: Real = 2.0 * core::f64::consts::PI as Real;
 /// Largest number of turns in a step that can be counted.
 const TURNS_MAX: Real = 1.0e6;
-/// The steepest slope of which [`atan_excess`] is right.
-const SLOPE_MAX: Real = 0.66;
 
 /// Measures one angle of each lane's joint.
 #[derive(Clone, Debug)]
 pub(crate) struct AngleTracker {
-    /// `e` and `g`, where they do not follow.
-    from: WideVector<Lane>,
-    towards: WideVector<Lane>,
-    /// One for twists, and one for tilts: both zero in lanes that have no angle.
+    /// The axis of a twist or of a component, or the direction of a turn that has none.
+    axis: WideVector<Lane>,
+    /// The axis that swings. Zero in lanes that measure a whole rotation.
+    swung: WideVector<Lane>,
+    /// One for twists, and the multiple of `ρ` for turns: both zero in lanes that have no angle.
     twists: Lane,
-    tilts: Lane,
-    /// One where an axis follows the rotation.
-    follows: Lane,
+    turns: Lane,
+    /// One where the size of a turn is measured, and not a component.
+    sizes: Lane,
     /// One where turns are counted.
     counts: Lane,
-    /// The angle when the step began, and its point.
+    /// The twist when the step began, and its point.
     angle: Lane,
     cos: Lane,
     sin: Lane,
-    /// Whether any lane measures a twist, and whether any measures a tilt.
+    /// Whether any lane measures a twist, and whether any measures a turn.
     has_twists: bool,
-    has_tilts: bool,
+    has_turns: bool,
 }
 
 impl AngleTracker {
     /// No angle in any lane.
     pub const NONE: Self = Self {
-        from: WideVector::ZERO,
-        towards: WideVector::ZERO,
+        axis: WideVector::ZERO,
+        swung: WideVector::ZERO,
         twists: Lane::ZERO,
-        tilts: Lane::ZERO,
-        follows: Lane::ZERO,
+        turns: Lane::ZERO,
+        sizes: Lane::ZERO,
         counts: Lane::ZERO,
         angle: Lane::ZERO,
         cos: Lane::splat(1.0),
         sin: Lane::ZERO,
         has_twists: false,
-        has_tilts: false,
+        has_turns: false,
     };
 
     /// Measures the angle of an axis, of this size when the step begins.
@@ -78,25 +72,32 @@ impl AngleTracker {
         rotations: FreeRotations,
         angle: Real,
     ) {
-        let (from, towards, follows) = match Angle::of(axis, rotations) {
-            Angle::Whole => (Vector::X, None, true),
-            Angle::Twist(e) => (e, None, false),
-            Angle::Swing(e) => (e, Some(e.any_orthonormal_vector()), true),
-            Angle::Tilt(g) => (Vector::X, Some(g), false),
-        };
-        self.from.set_lane(lane, from);
-        self.towards.set_lane(lane, towards.unwrap_or(Vector::ZERO));
-        self.follows.0[lane] = if follows { 1.0 } else { 0.0 };
-        self.counts.0[lane] = if rotations.is_single() { 1.0 } else { 0.0 };
-        let (kind, fraction) = match towards {
-            None => (&mut self.twists, 0.5),
-            Some(_) => (&mut self.tilts, 1.0),
-        };
-        kind.0[lane] = 1.0;
-        (self.has_twists, self.has_tilts) =
-            (self.has_twists || towards.is_none(), self.has_tilts || towards.is_some());
-        (self.sin.0[lane], self.cos.0[lane]) = sin_cos(angle * fraction);
+        match Angle::of(axis, rotations) {
+            Angle::Twist(e) => self.set_twist(lane, e, rotations.is_single(), angle),
+            Angle::Size(turn) => self.set_turn(lane, turn, turn.default_axis(), 1.0),
+            Angle::Component(turn, e) => self.set_turn(lane, turn, e, 0.0),
+        }
+    }
+
+    fn set_twist(&mut self, lane: usize, axis: Vector, is_counted: bool, angle: Real) {
+        self.axis.set_lane(lane, axis);
+        self.twists.0[lane] = 1.0;
+        self.counts.0[lane] = if is_counted { 1.0 } else { 0.0 };
+        (self.sin.0[lane], self.cos.0[lane]) = sin_cos(angle * 0.5);
         self.angle.0[lane] = angle;
+        self.has_twists = true;
+    }
+
+    fn set_turn(&mut self, lane: usize, turn: Turn, axis: Vector, is_size: Real) {
+        let (swung, multiple) = match turn {
+            Turn::Whole => (Vector::ZERO, 2.0),
+            Turn::Swing(e) => (e, 1.0),
+        };
+        self.axis.set_lane(lane, axis);
+        self.swung.set_lane(lane, swung);
+        self.turns.0[lane] = multiple;
+        self.sizes.0[lane] = is_size;
+        self.has_turns = true;
     }
 
     /// The direction, in the first frame, along which the relative angular velocity changes the angle, and
@@ -109,91 +110,94 @@ impl AngleTracker {
         rotvec: WideAngVector<W>,
     ) -> (WideAngVector<W>, W) {
         let zero = W::zero();
-        let (mut direction, mut turned) = (WideVector::zero(), zero);
+        let (mut direction, mut angle) = (WideVector::zero(), zero);
         if self.has_twists {
-            let (of_twist, half) = self.twist(between);
+            let (of_twist, turned) = self.twist(between);
             let is_twist = zero.lt(W::load(&self.twists));
+            let counted = W::load(&self.angle) + self.with_turns(turned, rotvec);
             direction = WideVector::select(is_twist, of_twist, direction);
-            turned = W::select(is_twist, self.with_turns(half + half, rotvec), turned);
+            angle = W::select(is_twist, counted, angle);
         }
-        if self.has_tilts {
-            let (of_tilt, by) = self.tilt(between);
-            let is_tilt = zero.lt(W::load(&self.tilts));
-            direction = WideVector::select(is_tilt, of_tilt, direction);
-            turned = W::select(is_tilt, by, turned);
+        if self.has_turns {
+            let (of_turn, of_present) = self.turn(between);
+            let is_turn = zero.lt(W::load(&self.turns));
+            direction = WideVector::select(is_turn, of_turn, direction);
+            angle = W::select(is_turn, of_present, angle);
         }
-        (direction, W::load(&self.angle) + turned)
+        (direction, angle)
     }
 
     /// The angle of a twist, given modulo whole turns.
     #[inline(always)]
     fn with_turns<W: Wide>(&self, turned: W, rotvec: WideAngVector<W>) -> W {
-        let about = rotvec.dot(WideVector::load(&self.from));
+        let about = rotvec.dot(WideVector::load(&self.axis));
         let turns = nearest_whole((about - turned) * W::splat(1.0 / TURN));
         let counts = W::zero().lt(W::load(&self.counts)) & turns.abs().lt(W::splat(TURNS_MAX));
         W::select(counts, turned + turns * W::splat(TURN), turned)
     }
 
-    /// The direction of a twist, and its half angle.
+    /// The direction of a twist, and the twist since the start of the step: at most half a turn.
     #[inline(always)]
     fn twist<W: Wide>(&self, between: WideRotation<W>) -> (WideAngVector<W>, W) {
-        let (zero, one) = (W::zero(), W::splat(1.0));
+        let one = W::splat(1.0);
         let v = WideVector { x: between.x, y: between.y, z: between.z };
-        let follows = zero.lt(W::load(&self.follows));
-        // A quaternion and its negative are the same rotation. The whole angle is the one within half a turn.
-        let length = v.dot(v).sqrt();
-        let sign = W::select(between.w.lt(zero), -one, one);
-        let has_axis = W::splat(LENGTH_MIN).lt(length);
-        let unit = v * (sign / W::select(has_axis, length, one));
-        let from = WideVector::load(&self.from);
-        let e = WideVector::select(follows & has_axis, unit, from);
-        let (cos, sin) = (W::select(follows, between.w * sign, between.w), v.dot(e));
+        let e = WideVector::load(&self.axis);
         let f = between.rotate(e);
         let sum = one + e.dot(f);
         let fair = W::splat(1.0e-3).lt(sum);
         let shared = (e + f) * (one / W::select(fair, sum, one));
-        let sin = W::select(follows, length, sin);
-        (WideVector::select(fair, shared, e), self.turned(cos, sin, true))
-    }
-
-    /// The direction of a tilt, and its angle.
-    #[inline(always)]
-    fn tilt<W: Wide>(&self, between: WideRotation<W>) -> (WideAngVector<W>, W) {
-        let (zero, one) = (W::zero(), W::splat(1.0));
-        let (e, aside) = (WideVector::load(&self.from), WideVector::load(&self.towards));
-        let follows = zero.lt(W::load(&self.follows));
-        let f = between.rotate(e);
-        let cos = f.dot(e);
-        let across = f - e * cos;
-        let length = across.dot(across).sqrt();
-        let is_swung = W::splat(LENGTH_MIN).lt(length);
-        let unit = across * (one / W::select(is_swung, length, one));
-        let g = WideVector::select(follows & is_swung, unit, aside);
-        let sin = f.dot(g);
-        let length_squared = sin * sin + cos * cos;
-        let has_direction = W::splat(1.0e-6).lt(length_squared);
-        let gradient = cross(f, g) * cos - cross(f, e) * sin;
-        let gradient = gradient * (one / W::select(has_direction, length_squared, one));
-        let direction = WideVector::select(has_direction, gradient, cross(e, g));
-        let turned = self.turned(cos, sin, false);
-        (direction, W::select(has_direction, turned, zero))
-    }
-
-    /// The angle of the point since the start of the step: at most 2.3 rad. A point and its opposite are the
-    /// same for twists, of which it shows half.
-    #[inline(always)]
-    fn turned<W: Wide>(&self, cos: W, sin: W, is_twist: bool) -> W {
+        let (cos, sin) = (between.w, v.dot(e));
         let (old_cos, old_sin) = (W::load(&self.cos), W::load(&self.sin));
         let (x, y) = (cos * old_cos + sin * old_sin, sin * old_cos - cos * old_sin);
-        let sign = W::select(x.lt(W::zero()), -W::splat(1.0), W::splat(1.0));
-        let (x, y) = if is_twist { (x * sign, y * sign) } else { (x, y) };
-        // Tangents of half of the angle, and of half of that.
-        let half = y / ((x * x + y * y).sqrt() + x).max(W::splat(LENGTH_MIN));
-        let quarter = half / (W::splat(1.0) + (W::splat(1.0) + half * half).sqrt());
-        let quarter = quarter.min(W::splat(SLOPE_MAX)).max(W::splat(-SLOPE_MAX));
-        let angle = quarter + quarter * atan_excess(quarter * quarter);
-        angle * W::splat(4.0)
+        // A point and its opposite are the same twist.
+        let sign = W::select(x.lt(W::zero()), -one, one);
+        let half = angle_of(y * sign, x * sign);
+        (WideVector::select(fair, shared, e), half + half)
     }
+
+    /// The direction of the size or of a component of a turn, and its angle: see the head of this folder.
+    #[inline(always)]
+    fn turn<W: Wide>(&self, between: WideRotation<W>) -> (WideAngVector<W>, W) {
+        let (zero, one) = (W::zero(), W::splat(1.0));
+        let (e, swung) = (WideVector::load(&self.axis), WideVector::load(&self.swung));
+        let is_swing = zero.lt(swung.dot(swung));
+        // A quaternion and its negative are the same rotation.
+        let sign = W::select(between.w.lt(zero), -one, one);
+        let v = WideVector { x: between.x, y: between.y, z: between.z };
+        let f = between.rotate(swung);
+        let across = WideVector::select(is_swing, cross(swung, f), v * sign);
+        let cos = W::select(is_swing, swung.dot(f), between.w * sign);
+        let sin = across.dot(across).sqrt();
+        let has_axis = W::splat(LENGTH_MIN).lt(sin);
+        let n = across * (one / W::select(has_axis, sin, one));
+        let (along, multiple) = (n.dot(e), W::load(&self.turns));
+        let half = angle_of(tangent_of_half(sin, cos), one);
+        let rho = half + half;
+        let is_size = zero.lt(W::load(&self.sizes));
+        let straight = rho * cos / W::select(has_axis, sin, one);
+        let gradient = e * straight + n * (along * (one - straight)) + cross(n, e) * rho;
+        let direction = WideVector::select(is_size, n, gradient);
+        let component = W::select(is_size, one, along);
+        let component = W::select(has_axis | is_size, component, zero);
+        (WideVector::select(has_axis, direction, e), multiple * rho * component)
+    }
+}
+
+/// The angle of a point on a circle, of at most a right angle.
+///
+/// The tangent of half the angle is `sin / (1 + cos)`. A quarter of it belongs to a slope below 0.42, the range of
+/// [`atan_excess`].
+#[inline(always)]
+fn angle_of<W: Wide>(sin: W, cos: W) -> W {
+    let half = tangent_of_half(sin, cos);
+    let quarter = half / (W::splat(1.0) + (W::splat(1.0) + half * half).sqrt());
+    (quarter + quarter * atan_excess(quarter * quarter)) * W::splat(4.0)
+}
+
+/// The tangent of half the angle of a point on a circle, of at most half a turn.
+#[inline(always)]
+fn tangent_of_half<W: Wide>(sin: W, cos: W) -> W {
+    sin / ((cos * cos + sin * sin).sqrt() + cos).max(W::splat(LENGTH_MIN))
 }
 
 #[cfg(test)]

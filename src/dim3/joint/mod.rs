@@ -29,9 +29,30 @@
 //! `e` be the axis and `f = q e` where the second body has taken it.
 //!
 //! * *Twist* about `e`: `2 atan2(v·e, w)`. The direction is symmetric in both bodies: `(e + f)/(1 + e·f)`.
-//! * *Swing* of `e` in any direction: the angle between `e` and `f`, about `e × f`.
-//! * *Swing about another axis*: the direction of the projection of `f` on the plane across that axis. For
-//!   `Y`, with `s = -f₃` and `c = f₁`, the angle is `atan2(s, c)`, and the direction is its gradient.
+//! * The *size* of a turn: of the whole rotation, or of the swing of `e` (the shortest rotation from `e` to
+//!   `f`). The direction is the axis `n` of the turn.
+//! * The *component* of such a turn about an axis `k`: its rotation vector has one component for each axis.
+//!
+//! A single free rotation is a twist. Two have the components of the whole rotation. All three are the twist
+//! about `X` and the components of the swing of `X` about `Y` and `Z`.
+//!
+//! Both turns have the same derivative. Let `ρ` be half the rotation vector of the whole rotation, with `sin ρ n
+//! = v` and `cos ρ = w`, or the rotation vector of the swing, with `sin ρ n = e × f` and `cos ρ = e·f`. The
+//! angles are `2 ρ·k` and `ρ·k`, and in both cases
+//!
+//! ```text
+//! d(angle)/dt = ω·(a k + (1 - a) (n·k) n + ρ × k)          a = ρ cot ρ
+//! ```
+//!
+//! (The inverse of the exponential map's derivative: Bullo and Murray, "Proportional derivative control on the
+//! Euclidean group", 1995. For the swing, `ρ × k` is about `e`: a turn about `e` leads the swing around.) The
+//! whole rotation has `ρ ≤ π/2`, where the derivative is at most 1.9. That of a swing grows without bound where
+//! `f` arrives at `-e`. But a pose is a smooth function of these angles everywhere, so no rate of them requires
+//! a large velocity.
+//!
+//! *The alternative that lost* measures each swing in a plane, `atan2(-f₃, f₁)` about `Y`. It takes the angle
+//! away from an arm that has swung by 90° about the other axis, and there a finite rate requires any velocity:
+//! limits and motors threw arms that fell past the horizontal, with 10¹⁴ times their energy.
 //!
 //! Sources: Dobrowolski, "Swing-twist decomposition in Clifford algebra" (2015), for the twist; the rest is
 //! the chain rule.

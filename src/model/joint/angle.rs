@@ -11,11 +11,11 @@ impl GenericJoint {
     /// bodies with these rotations. `None` for translations and locked rotations.
     ///
     /// It is the angle to which the limits and the motor of this axis apply. A single free rotation has the
-    /// angle of the whole relative rotation. If several rotations are free, `AngX` is the *twist* about the
-    /// second frame's X axis, and the others are the *swing*: the direction `(x, y, z)` of the second frame's
-    /// X axis, seen from the first frame, has the angles `atan2(-z, x)` about Y and `atan2(y, x)` about Z.
-    /// Coupled rotations have a common angle, which is not negative: the swing in any direction, or the angle
-    /// of the whole rotation.
+    /// angle of the whole relative rotation. Two have the components of its rotation vector. If all are free,
+    /// `AngX` is the *twist* about the second frame's X axis, and the others are the *swing*, the shortest
+    /// rotation that leads the first frame's X axis to the second frame's: the components of its rotation
+    /// vector. Coupled rotations have a common angle, which is not negative: the swing in any direction, or
+    /// the angle of the whole rotation.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
