@@ -27,8 +27,8 @@ fn close(found: Option<Real>, expected: Real) -> bool {
     found.is_some_and(|found| (found - expected).abs() < 2.0e-5)
 }
 
-/// The angles of a ball joint are the twist and the components of the swing's rotation vector, of any swing up to
-/// half a turn. Both components together have the length of that vector.
+/// The angles of a ball joint are the twist and the components of the swing's rotation vector, of any swing
+/// up to half a turn. Both components together have the length of that vector.
 #[test]
 fn twist_and_swing_have_their_formulas() {
     for (frame1, frame2, body1) in frames() {

@@ -1,5 +1,5 @@
-//! "My ragdoll's shoulder explodes when the arm goes over the head." Arms whose joints have limits or servos about some
-//! axes fall through all swings, past the horizontal and past half a turn (3D).
+//! "My ragdoll's shoulder explodes when the arm goes over the head." Arms whose joints have limits or servos
+//! about some axes fall through all swings, past the horizontal and past half a turn (3D).
 
 use crate::suite::physics::stage::{Dice, Sample, steps, world};
 use rapier::prelude::*;
@@ -28,7 +28,8 @@ struct Arm {
 }
 
 impl Arm {
-    /// Stretched in a random direction, with random spins, on joints with these locked rotations that `drive` completes.
+    /// Stretched in a random direction, with random spins, on joints with these locked rotations that `drive`
+    /// completes.
     fn new(
         (rate, substeps): (u32, usize),
         length: usize,
@@ -112,7 +113,8 @@ impl Arm {
     }
 }
 
-/// Calls a function for arms of one and two links with all kinds of joints: of three and of two free rotations.
+/// Calls a function for arms of one and two links with all kinds of joints: of three and of two free
+/// rotations.
 fn for_each_arm(
     sample: &mut Sample,
     drive: impl Fn(&mut GenericJoint, JointAxis),
@@ -135,8 +137,8 @@ fn for_each_arm(
     }
 }
 
-/// Limits do no work, wherever an arm swings. Joints with two free rotations keep to them as exactly as hinges; a ball joint
-/// does where its swing is not near half a turn, as with limits about both axes.
+/// Limits do no work, wherever an arm swings. Joints with two free rotations keep to them as exactly as
+/// hinges; a ball joint does where its swing is not near half a turn, as with limits about both axes.
 #[test]
 fn limits_give_falling_arms_no_energy() {
     let mut sample = Sample::one_of(13);
@@ -160,9 +162,9 @@ fn limits_give_falling_arms_no_energy() {
     }
 }
 
-/// Servos do work, and no more than their springs hold: `k φ²/2` about each axis, for at most a whole turn `φ`. An explosion
-/// has many times that. (Ball joints have servos about both swings. One alone does work whenever the arm passes the end of its
-/// swing: see the guide.)
+/// Servos do work, and no more than their springs hold: `k φ²/2` about each axis, for at most a whole turn
+/// `φ`. An explosion has many times that. (Ball joints have servos about both swings. One alone does work
+/// whenever the arm passes the end of its swing: see the guide.)
 #[test]
 fn servos_throw_no_falling_arm() {
     let mut sample = Sample::one_of(45);

@@ -1,8 +1,8 @@
 //! The angles of free axes while the bodies move, lane by lane.
 //!
-//! A *twist* about `e` is twice the angle of the point `(w, v·e)` on a circle. The tracker adds the twist since
-//! the start of the step to the initial one. For two points with the complex numbers `z₀` and `z`, it is the
-//! angle of `z z₀*`. So turns that were counted stay counted, and small angles keep their digits.
+//! A *twist* about `e` is twice the angle of the point `(w, v·e)` on a circle. The tracker adds the twist
+//! since the start of the step to the initial one. For two points with the complex numbers `z₀` and `z`, it
+//! is the angle of `z z₀*`. So turns that were counted stay counted, and small angles keep their digits.
 //!
 //! That is ambiguous by whole turns. A wheel that rotates by 5 rad in a step has the same pose as after -1.3
 //! rad. The sum of the rotations of all substeps is a second estimate of the bodies' relative rotation. With
@@ -185,8 +185,8 @@ impl AngleTracker {
 
 /// The angle of a point on a circle, of at most a right angle.
 ///
-/// The tangent of half the angle is `sin / (1 + cos)`. A quarter of it belongs to a slope below 0.42, the range of
-/// [`atan_excess`].
+/// The tangent of half the angle is `sin / (1 + cos)`. A quarter of it belongs to a slope below 0.42, the
+/// range of [`atan_excess`].
 #[inline(always)]
 fn angle_of<W: Wide>(sin: W, cos: W) -> W {
     let half = tangent_of_half(sin, cos);

@@ -36,23 +36,23 @@
 //! A single free rotation is a twist. Two have the components of the whole rotation. All three are the twist
 //! about `X` and the components of the swing of `X` about `Y` and `Z`.
 //!
-//! Both turns have the same derivative. Let `ρ` be half the rotation vector of the whole rotation, with `sin ρ n
-//! = v` and `cos ρ = w`, or the rotation vector of the swing, with `sin ρ n = e × f` and `cos ρ = e·f`. The
-//! angles are `2 ρ·k` and `ρ·k`, and in both cases
+//! Both turns have the same derivative. Let `ρ` be half the rotation vector of the whole rotation, with `sin
+//! ρ n = v` and `cos ρ = w`, or the rotation vector of the swing, with `sin ρ n = e × f` and `cos ρ = e·f`.
+//! The angles are `2 ρ·k` and `ρ·k`, and in both cases
 //!
 //! ```text
 //! d(angle)/dt = ω·(a k + (1 - a) (n·k) n + ρ × k)          a = ρ cot ρ
 //! ```
 //!
-//! (The inverse of the exponential map's derivative: Bullo and Murray, "Proportional derivative control on the
-//! Euclidean group", 1995. For the swing, `ρ × k` is about `e`: a turn about `e` leads the swing around.) The
-//! whole rotation has `ρ ≤ π/2`, where the derivative is at most 1.9. That of a swing grows without bound where
-//! `f` arrives at `-e`. But a pose is a smooth function of these angles everywhere, so no rate of them requires
-//! a large velocity.
+//! (The inverse of the exponential map's derivative: Bullo and Murray, "Proportional derivative control on
+//! the Euclidean group", 1995. For the swing, `ρ × k` is about `e`: a turn about `e` leads the swing around.)
+//! The whole rotation has `ρ ≤ π/2`, where the derivative is at most 1.9. That of a swing grows without bound
+//! where `f` arrives at `-e`. But a pose is a smooth function of these angles everywhere, so no rate of them
+//! requires a large velocity.
 //!
 //! *The alternative that lost* measures each swing in a plane, `atan2(-f₃, f₁)` about `Y`. It takes the angle
-//! away from an arm that has swung by 90° about the other axis, and there a finite rate requires any velocity:
-//! limits and motors threw arms that fell past the horizontal, with 10¹⁴ times their energy.
+//! away from an arm that has swung by 90° about the other axis, and there a finite rate requires any
+//! velocity: limits and motors threw arms that fell past the horizontal, with 10¹⁴ times their energy.
 //!
 //! Sources: Dobrowolski, "Swing-twist decomposition in Clifford algebra" (2015), for the twist; the rest is
 //! the chain rule.
