@@ -3,7 +3,8 @@
 //! Two lines lead from the bodies to the anchors of the joint. A third line connects the anchors. If the
 //! joint locks all translations, the length of the third is the joint's error. That of a pulley leads over
 //! the points of the rope. The free axes are drawn in the joint's frame on the first body. A translation is a
-//! line with two ends. A rotation is an arc, and a pointer at the second body shows the angle on it.
+//! line with two ends. A rotation is an arc, and a pointer at the second body shows the angle on it. The
+//! pointer is exact for a rotation about one axis: a swing about two has components, and no angles in planes.
 
 use super::backend::{DebugRenderBackend, DebugRenderObject};
 use super::pipeline::{DebugRenderMode, DebugRenderPipeline};

@@ -4,6 +4,11 @@ use crate::base::trig::atan2;
 use crate::dim3::joint_axes::{JointAxesMask, JointAxis, twist};
 use crate::dim3::math::{AngVector, Real, Rotation, SpatialVector, Vector};
 
+/// Least sine of half a rotation that has an axis.
+pub(crate) const SINE_MIN: Real = 1.0e-12;
+/// Least cosine of half a swing in derivatives: a swing of half a turn has an infinite one.
+pub(crate) const COSINE_MIN: Real = 5.0e-4;
+
 /// Free rotations of a joint, and groups of them that are measured together.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct FreeRotations {
@@ -32,15 +37,15 @@ impl FreeRotations {
 pub(crate) enum Angle {
     /// Twist of the second frame about this axis.
     Twist(Vector),
-    /// The size of a turn.
-    Size(Turn),
-    /// The component of a turn about this axis.
-    Component(Turn, Vector),
+    /// The length of the rotation vector.
+    Size(Part),
+    /// The component of the rotation vector about this axis.
+    Component(Part, Vector),
 }
 
-/// A rotation whose rotation vector has the angles.
+/// The part of a rotation whose rotation vector is measured.
 #[derive(Copy, Clone, Debug)]
-pub(crate) enum Turn {
+pub(crate) enum Part {
     /// The whole rotation.
     Whole,
     /// The swing: the shortest rotation that leads this axis where the second body has taken it.
@@ -54,34 +59,26 @@ impl Angle {
         let own = JointAxesMask::from_bits_truncate(1 << axis as u8);
         let alone = JointAxesMask::ANG_AXES - coupled;
         match (coupled.bits().count_ones(), rotations.count()) {
-            (3, _) => Self::Size(Turn::Whole),
-            (2, _) if coupled.contains(own) => Self::Size(Turn::Swing(unit(alone))),
+            (3, _) => Self::Size(Part::Whole),
+            (2, _) if coupled.contains(own) => Self::Size(Part::Swing(unit(alone))),
             (2, _) | (_, 1) => Self::Twist(unit(own)),
-            (_, 2) => Self::Component(Turn::Whole, unit(own)),
+            (_, 2) => Self::Component(Part::Whole, unit(own)),
             _ if axis == JointAxis::AngX => Self::Twist(Vector::X),
-            _ => Self::Component(Turn::Swing(Vector::X), unit(own)),
+            _ => Self::Component(Part::Swing(Vector::X), unit(own)),
         }
     }
 }
 
-impl Turn {
-    /// The sine of the angle `ρ` times the axis, the cosine, and the size of the turn as a multiple of `ρ`.
-    fn parts(self, rotation: &Rotation) -> (Vector, Real, Real) {
+impl Part {
+    /// The axis that swings: zero for the whole rotation.
+    pub(crate) fn swung(self) -> Vector {
         match self {
-            Self::Whole => {
-                // A quaternion and its negative are the same rotation.
-                let sign = if rotation.w < 0.0 { -1.0 } else { 1.0 };
-                let v = Vector::new(rotation.x, rotation.y, rotation.z);
-                (v * sign, rotation.w * sign, 2.0)
-            }
-            Self::Swing(e) => {
-                let f = *rotation * e;
-                (e.cross(f), e.dot(f), 1.0)
-            }
+            Self::Whole => Vector::ZERO,
+            Self::Swing(e) => e,
         }
     }
 
-    /// The direction of a turn that has none.
+    /// The direction of a rotation vector without length.
     pub(crate) fn default_axis(self) -> AngVector {
         match self {
             Self::Whole => Vector::X,
@@ -99,8 +96,11 @@ pub(crate) fn angle_about(
 ) -> (Real, AngVector) {
     match Angle::of(axis, rotations) {
         Angle::Twist(e) => twist_about(e, rotation),
-        Angle::Size(turn) => size_of(turn, rotation),
-        Angle::Component(turn, e) => component_of(turn, e, rotation),
+        Angle::Size(part) => {
+            let HalfRotation { angle, axis, .. } = HalfRotation::of(part, rotation);
+            (2.0 * angle, axis)
+        }
+        Angle::Component(part, k) => HalfRotation::of(part, rotation).component(k),
     }
 }
 
@@ -122,24 +122,44 @@ fn twist_about(e: Vector, rotation: &Rotation) -> (Real, AngVector) {
     (angle, if sum > 1.0e-3 { (e + f) / sum } else { e })
 }
 
-fn size_of(turn: Turn, rotation: &Rotation) -> (Real, AngVector) {
-    let (across, cos, multiple) = turn.parts(rotation);
-    let sin = across.length();
-    (multiple * atan2(sin, cos), if sin > 0.0 { across / sin } else { turn.default_axis() })
+/// Half of the rotation vector of a part of a rotation: see the head of `joint/`.
+struct HalfRotation {
+    angle: Real,
+    axis: AngVector,
+    /// `a` of the derivative, and the multiple of the angle that is `ρ`.
+    straight: Real,
+    multiple: Real,
 }
 
-/// The component of a turn about `e`.
-fn component_of(turn: Turn, e: Vector, rotation: &Rotation) -> (Real, AngVector) {
-    let (across, cos, multiple) = turn.parts(rotation);
-    let sin = across.length();
-    if sin <= 0.0 {
-        return (0.0, e);
+impl HalfRotation {
+    fn of(part: Part, rotation: &Rotation) -> Self {
+        let (e, v) = (part.swung(), Vector::new(rotation.x, rotation.y, rotation.z));
+        let along = v.dot(e);
+        let across = v - e * along;
+        let (sin, cos) = (across.length(), (rotation.w * rotation.w + along * along).sqrt());
+        let multiple = if matches!(part, Part::Whole) { 1.0 } else { 2.0 };
+        if sin < SINE_MIN {
+            return Self { angle: 0.0, axis: part.default_axis(), straight: 1.0, multiple };
+        }
+        let (c, s) = if cos < SINE_MIN { (1.0, 0.0) } else { (rotation.w / cos, along / cos) };
+        let angle = atan2(sin, cos);
+        let opposite = (multiple - 1.0) * sin / cos.max(COSINE_MIN);
+        Self {
+            angle,
+            axis: (across * c + e.cross(across) * s) / sin,
+            straight: angle * (cos / sin - opposite),
+            multiple,
+        }
     }
-    let (n, angle) = (across / sin, atan2(sin, cos));
-    let along = n.dot(e);
-    let straight = angle * cos / sin;
-    let direction = e * straight + n * (along * (1.0 - straight)) + n.cross(e) * angle;
-    (multiple * angle * along, direction)
+
+    /// The component about an axis, and its direction.
+    fn component(self, k: Vector) -> (Real, AngVector) {
+        let Self { angle, axis: n, straight, multiple } = self;
+        let along = n.dot(k);
+        let direction =
+            k * straight + n * (along * (1.0 - straight)) + n.cross(k) * (angle * multiple);
+        (2.0 * angle * along, direction)
+    }
 }
 
 /// The angular part of a joint's impulses.

@@ -29,33 +29,38 @@
 //! `e` be the axis and `f = q e` where the second body has taken it.
 //!
 //! * *Twist* about `e`: `2 atan2(v·e, w)`. The direction is symmetric in both bodies: `(e + f)/(1 + e·f)`.
-//! * The *size* of a turn: of the whole rotation, or of the swing of `e` (the shortest rotation from `e` to
-//!   `f`). The direction is the axis `n` of the turn.
-//! * The *component* of such a turn about an axis `k`: its rotation vector has one component for each axis.
+//! * The *size* of a rotation vector: that of the whole rotation, or that of the swing of `e`, the shortest
+//!   rotation from `e` to `f`. The direction is its axis `n`.
+//! * The *component* of such a rotation vector about an axis `k`.
 //!
-//! A single free rotation is a twist. Two have the components of the whole rotation. All three are the twist
-//! about `X` and the components of the swing of `X` about `Y` and `Z`.
+//! A single free rotation is a twist. Two have the components of the whole rotation vector. All three are the
+//! twist about `X` and the components of the swing of `X` about `Y` and `Z`.
 //!
-//! Both turns have the same derivative. Let `ρ` be half the rotation vector of the whole rotation, with `sin
-//! ρ n = v` and `cos ρ = w`, or the rotation vector of the swing, with `sin ρ n = e × f` and `cos ρ = e·f`.
-//! The angles are `2 ρ·k` and `ρ·k`, and in both cases
+//! Let `β` be half the angle. For the whole rotation `sin β = |v|` and `cos β = |w|`. The swing of `e` has
 //!
 //! ```text
-//! d(angle)/dt = ω·(a k + (1 - a) (n·k) n + ρ × k)          a = ρ cot ρ
+//! v = p e + u, u ⟂ e:      sin β = |u|      cos β = √(w² + p²)      sin 2β n = e × f = 2 (w u + p e × u)
 //! ```
 //!
-//! (The inverse of the exponential map's derivative: Bullo and Murray, "Proportional derivative control on
-//! the Euclidean group", 1995. For the swing, `ρ × k` is about `e`: a turn about `e` leads the swing around.)
-//! The whole rotation has `ρ ≤ π/2`, where the derivative is at most 1.9. That of a swing grows without bound
-//! where `f` arrives at `-e`. But a pose is a smooth function of these angles everywhere, so no rate of them
-//! requires a large velocity.
+//! which do not cancel anywhere. Both components have the same derivative, with `ρ = β n` for the whole
+//! rotation and `ρ = 2β n` for the swing:
 //!
-//! *The alternative that lost* measures each swing in a plane, `atan2(-f₃, f₁)` about `Y`. It takes the angle
-//! away from an arm that has swung by 90° about the other axis, and there a finite rate requires any
-//! velocity: limits and motors threw arms that fell past the horizontal, with 10¹⁴ times their energy.
+//! ```text
+//! d(2β n·k)/dt = ω·(a k + (1 - a) (n·k) n + ρ × k)          a = ρ cot ρ
+//! ```
 //!
-//! Sources: Dobrowolski, "Swing-twist decomposition in Clifford algebra" (2015), for the twist; the rest is
-//! the chain rule.
+//! (The inverse of the derivative of the exponential map: Bullo and Murray, "Proportional derivative control
+//! on the Euclidean group", 1995.) With `c = n·k` the square of its length is `c² + (1 - c²)(ρ/sin ρ)²`: from
+//! 1 to `(π/2)²` for the whole rotation. That of a swing grows without bound where `f` arrives at `-e`, and
+//! is cut there. But a pose is a smooth function of the angles everywhere, so the angles never require a
+//! large velocity for their rates.
+//!
+//! Angles in planes, `atan2(-f₃, f₁)` for the swing about `Y`, do: an arm that has swung by 90° about `Z` has
+//! no such angle. Limits and motors threw arms that fell past the horizontal, with up to 10¹⁴ times their
+//! energy.
+//!
+//! Sources: Dobrowolski, "Swing-twist decomposition in Clifford algebra" (2015), for the twist; Bullo and
+//! Murray for the derivative.
 
 mod frame;
 mod angle_tracker;

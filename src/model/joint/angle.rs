@@ -15,7 +15,8 @@ impl GenericJoint {
     /// `AngX` is the *twist* about the second frame's X axis, and the others are the *swing*, the shortest
     /// rotation that leads the first frame's X axis to the second frame's: the components of its rotation
     /// vector. Coupled rotations have a common angle, which is not negative: the swing in any direction, or
-    /// the angle of the whole rotation.
+    /// the angle of the whole rotation. Two free rotations of a multibody have other angles, those of a
+    /// universal joint: [`MultibodyJoint`](crate::dynamics::MultibodyJoint).
     ///
     /// ```
     /// # use rapier3d::prelude::*;

@@ -26,9 +26,10 @@ pub enum JointEnabled {
 /// A joint between two bodies in full generality: each axis can be locked, limited or driven.
 ///
 /// The joint has a frame on each body, and its axes are those of the first frame. A position along an axis is
-/// that of the second frame's origin. An angle is that of the second frame relative to the first. Where
-/// several rotations are free, the *swing* tilts the second frame's X axis relative to the first's, and the
-/// *twist* rotates about it. `AngX` is the twist, `AngY` and `AngZ` are the swing about these axes.
+/// that of the second frame's origin. An angle is that of the second frame relative to the first. Where all
+/// rotations are free, the *swing* tilts the second frame's X axis relative to the first's, and the *twist*
+/// rotates about it. `AngX` is the twist, `AngY` and `AngZ` are the components of the swing. Where two are
+/// free, their angles are the components of the whole rotation vector: [`GenericJoint::angle`].
 ///
 /// Setters refuse unusable values: they log a warning, and the old value stays. The methods called `try_…`
 /// return the error instead.
