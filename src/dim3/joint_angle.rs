@@ -1,8 +1,7 @@
 //! The angles of a joint's free axes.
 
-use crate::base::trig::atan2;
 use crate::dim3::joint_axes::{JointAxesMask, JointAxis, twist};
-use crate::dim3::math::{AngVector, Real, Rotation, SpatialVector, Vector};
+use crate::dim3::math::{AngVector, Real, Rotation, SpatialVector, Vector, rotation_to_angle};
 
 /// Least sine of half a rotation that has an axis.
 pub(crate) const SINE_MIN: Real = 1.0e-12;
@@ -85,6 +84,17 @@ impl Part {
             Self::Swing(e) => e.any_orthonormal_vector(),
         }
     }
+
+    /// This part of a rotation: a swing is the rotation without the twist.
+    fn of(self, rotation: &Rotation) -> Rotation {
+        let Self::Swing(e) = self else { return *rotation };
+        let twist = e * rotation.xyz().dot(e);
+        let length = (rotation.w * rotation.w + twist.length_squared()).sqrt();
+        if length < SINE_MIN {
+            return *rotation;
+        }
+        *rotation * (Rotation::from_xyzw(-twist.x, -twist.y, -twist.z, rotation.w) * (1.0 / length))
+    }
 }
 
 /// The angle of a free axis of rotation (radians), and the direction, in the first frame, along which the
@@ -96,11 +106,8 @@ pub(crate) fn angle_about(
 ) -> (Real, AngVector) {
     match Angle::of(axis, rotations) {
         Angle::Twist(e) => twist_about(e, rotation),
-        Angle::Size(part) => {
-            let HalfRotation { angle, axis, .. } = HalfRotation::of(part, rotation);
-            (2.0 * angle, axis)
-        }
-        Angle::Component(part, k) => HalfRotation::of(part, rotation).component(k),
+        Angle::Size(part) => size_of(part, rotation),
+        Angle::Component(part, k) => component_of(part, k, rotation),
     }
 }
 
@@ -122,44 +129,28 @@ fn twist_about(e: Vector, rotation: &Rotation) -> (Real, AngVector) {
     (angle, if sum > 1.0e-3 { (e + f) / sum } else { e })
 }
 
-/// Half of the rotation vector of a part of a rotation: see the head of `joint/`.
-struct HalfRotation {
-    angle: Real,
-    axis: AngVector,
-    /// `a` of the derivative, and the multiple of the angle that is `ρ`.
-    straight: Real,
-    multiple: Real,
+fn size_of(part: Part, rotation: &Rotation) -> (Real, AngVector) {
+    let rotvec = rotation_to_angle(&part.of(rotation));
+    let angle = rotvec.length();
+    (angle, if angle > 0.0 { rotvec / angle } else { part.default_axis() })
 }
 
-impl HalfRotation {
-    fn of(part: Part, rotation: &Rotation) -> Self {
-        let (e, v) = (part.swung(), Vector::new(rotation.x, rotation.y, rotation.z));
-        let along = v.dot(e);
-        let across = v - e * along;
-        let (sin, cos) = (across.length(), (rotation.w * rotation.w + along * along).sqrt());
-        let multiple = if matches!(part, Part::Whole) { 1.0 } else { 2.0 };
-        if sin < SINE_MIN {
-            return Self { angle: 0.0, axis: part.default_axis(), straight: 1.0, multiple };
-        }
-        let (c, s) = if cos < SINE_MIN { (1.0, 0.0) } else { (rotation.w / cos, along / cos) };
-        let angle = atan2(sin, cos);
-        let opposite = (multiple - 1.0) * sin / cos.max(COSINE_MIN);
-        Self {
-            angle,
-            axis: (across * c + e.cross(across) * s) / sin,
-            straight: angle * (cos / sin - opposite),
-            multiple,
-        }
+/// The component of a part about `k`.
+fn component_of(part: Part, k: Vector, rotation: &Rotation) -> (Real, AngVector) {
+    let turned = part.of(rotation);
+    let rotvec = rotation_to_angle(&turned);
+    let (sin, cos) = (turned.xyz().length(), turned.w.abs());
+    if sin < SINE_MIN {
+        return (0.0, k);
     }
-
-    /// The component about an axis, and its direction.
-    fn component(self, k: Vector) -> (Real, AngVector) {
-        let Self { angle, axis: n, straight, multiple } = self;
-        let along = n.dot(k);
-        let direction =
-            k * straight + n * (along * (1.0 - straight)) + n.cross(k) * (angle * multiple);
-        (2.0 * angle * along, direction)
-    }
+    let half = 0.5 * rotvec.length();
+    let n = rotvec / (2.0 * half);
+    let (straight, around) = match part {
+        Part::Whole => (half * cos / sin, half),
+        Part::Swing(_) => (half * (cos / sin - sin / cos.max(COSINE_MIN)), 2.0 * half),
+    };
+    let direction = k * straight + n * (n.dot(k) * (1.0 - straight)) + n.cross(k) * around;
+    (rotvec.dot(k), direction)
 }
 
 /// The angular part of a joint's impulses.

@@ -34,7 +34,7 @@ fn join(world: &mut PhysicsWorld, pair: [RigidBodyHandle; 2], at: Vector, hinge:
 }
 
 /// Returns the energy of bodies relative to this height.
-fn energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle], ground: Real) -> Real {
+pub fn energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle], ground: Real) -> Real {
     let g = world.gravity.length();
     let of = |body: &RigidBody| {
         body.kinetic_energy() + body.mass() * g * (body.translation().y - ground)

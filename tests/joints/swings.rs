@@ -1,7 +1,8 @@
 //! "My ragdoll's shoulder explodes when the arm goes over the head." Arms whose joints have limits or servos
 //! about some axes fall through all swings, past the horizontal and past half a turn (3D).
 
-use crate::suite::physics::stage::{Dice, Sample, steps, world};
+use super::limbs::energy;
+use crate::suite::physics::stage::{Dice, G, Sample, steps, world};
 use rapier::prelude::*;
 
 const AXES: [JointAxis; 3] = [JointAxis::AngX, JointAxis::AngY, JointAxis::AngZ];
@@ -86,15 +87,13 @@ impl Arm {
     }
 
     fn energy(&self) -> Real {
-        let of = |body: &RigidBody| body.mass() * 9.81 * body.translation().y;
-        let lifted: Real = self.links.iter().map(|link| of(&self.world.bodies[*link])).sum();
-        self.kinetic_energy() + lifted
+        energy(&self.world, &self.links, 0.0)
     }
 
     /// The energy that lifts the arm by its length.
     fn scale(&self) -> Real {
         let mass: Real = self.links.iter().map(|link| self.world.bodies[*link].mass()).sum();
-        mass * 9.81 * 2.0 * HALF * self.links.len() as Real
+        mass * G * 2.0 * HALF * self.links.len() as Real
     }
 
     /// The largest angle by which a limit is exceeded.

@@ -16,7 +16,7 @@ use crate::base::wide::{Lane, Wide};
 use crate::dim3::joint_angle::{Angle, COSINE_MIN, FreeRotations, Part, SINE_MIN};
 use crate::dim3::joint_axes::JointAxis;
 use crate::dim3::math::{Real, Vector};
-use crate::dim3::rotation_vector::{atan_excess, nearest_whole};
+use crate::dim3::rotation_vector::{atan_excess, nearest_whole, rotation_vector};
 use crate::dim3::wide::{WideAngVector, WideRotation, WideVector, cross};
 
 const TURN: Real = 2.0 * core::f64::consts::PI as Real;
@@ -113,7 +113,7 @@ impl AngleTracker {
             angle = W::select(is_twist, counted, angle);
         }
         if self.has_vectors {
-            let (of_vector, size) = self.rotation_vector(between);
+            let (of_vector, size) = self.part(between);
             let is_vector = zero.lt(W::load(&self.vectors));
             direction = WideVector::select(is_vector, of_vector, direction);
             angle = W::select(is_vector, size, angle);
@@ -151,32 +151,34 @@ impl AngleTracker {
 
     /// The direction of the length or of a component of a rotation vector, and its angle.
     #[inline(always)]
-    fn rotation_vector<W: Wide>(&self, between: WideRotation<W>) -> (WideAngVector<W>, W) {
+    fn part<W: Wide>(&self, between: WideRotation<W>) -> (WideAngVector<W>, W) {
         let (zero, one, least) = (W::zero(), W::splat(1.0), W::splat(SINE_MIN));
         let (k, e) = (WideVector::load(&self.axis), WideVector::load(&self.swung));
-        let is_size = zero.lt(W::load(&self.sizes));
-        let v = WideVector { x: between.x, y: between.y, z: between.z };
-        let along = v.dot(e);
-        let across = v - e * along;
-        let (sin, cos) =
-            (across.dot(across).sqrt(), (between.w * between.w + along * along).sqrt());
-        let (has_axis, has_cos) = (least.lt(sin), least.lt(cos));
-        let inv_sin = one / W::select(has_axis, sin, one);
-        let inv_cos = one / W::select(has_cos, cos, one);
-        let c = W::select(has_cos, between.w * inv_cos, one);
-        let n = (across * c + cross(e, across) * (along * inv_cos)) * inv_sin;
+        let (is_swing, is_size) = (e.dot(e), zero.lt(W::load(&self.sizes)));
+        // Without the twist, of which a whole rotation keeps the sign of its real part.
+        let along = WideVector { x: between.x, y: between.y, z: between.z }.dot(e);
+        let length = (between.w * between.w + along * along).sqrt();
+        let has_twist = least.lt(length);
+        let scale = one / W::select(has_twist, length, one);
+        let WideVector { x, y, z } = e * (along * scale);
+        let w = W::select(has_twist, between.w * scale, one);
+        let part = between.since(WideRotation { x, y, z, w });
 
-        let angle = angle_of(sin, cos);
-        let is_swing = e.dot(e);
+        let rotvec = rotation_vector(part);
+        let across = WideVector { x: part.x, y: part.y, z: part.z };
+        let (sin, cos) = (across.dot(across).sqrt(), part.w);
+        let has_axis = least.lt(sin);
+        let inv_sin = one / W::select(has_axis, sin, one);
+        let n = across * inv_sin;
+        let half = rotvec.dot(n) * W::splat(0.5);
         let opposite = is_swing * sin * (one / cos.max(W::splat(COSINE_MIN)));
-        let straight = W::select(has_axis, angle * (cos * inv_sin - opposite), one);
-        let share = n.dot(k);
-        let gradient = k * straight
-            + n * (share * (one - straight))
-            + cross(n, k) * (angle + angle * is_swing);
-        let direction = WideVector::select(is_size, n, gradient);
-        let size = (angle + angle) * W::select(is_size, one, share);
-        (WideVector::select(has_axis, direction, k), W::select(has_axis, size, zero))
+        let straight = half * (cos * inv_sin - opposite);
+        let of_component = k * straight
+            + n * (n.dot(k) * (one - straight))
+            + cross(n, k) * (half + half * is_swing);
+        let direction = WideVector::select(is_size, n, of_component);
+        let angle = W::select(is_size, half + half, rotvec.dot(k));
+        (WideVector::select(has_axis, direction, k), W::select(has_axis, angle, zero))
     }
 }
 

@@ -36,14 +36,9 @@
 //! A single free rotation is a twist. Two have the components of the whole rotation vector. All three are the
 //! twist about `X` and the components of the swing of `X` about `Y` and `Z`.
 //!
-//! Let `β` be half the angle. For the whole rotation `sin β = |v|` and `cos β = |w|`. The swing of `e` has
-//!
-//! ```text
-//! v = p e + u, u ⟂ e:      sin β = |u|      cos β = √(w² + p²)      sin 2β n = e × f = 2 (w u + p e × u)
-//! ```
-//!
-//! which do not cancel anywhere. Both components have the same derivative, with `ρ = β n` for the whole
-//! rotation and `ρ = 2β n` for the swing:
+//! The swing of `e` is the rotation without the twist, `q t*` with `t = (p e, w)/√(p² + w²)` and `p = v·e`.
+//! Both rotations have the half angle `β` from `sin β` and `cos β`, the parts of their quaternion. The
+//! components have the same derivative, with `ρ = β n` for the whole rotation and `ρ = 2β n` for the swing:
 //!
 //! ```text
 //! d(2β n·k)/dt = ω·(a k + (1 - a) (n·k) n + ρ × k)          a = ρ cot ρ
