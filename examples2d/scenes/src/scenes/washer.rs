@@ -11,7 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A drum with paddles rotates and tumbles 8,000 boxes and balls.",
     category: Category::Stress,
     steps: 300,
-    law: Law { overlap_max: 0.2, height_min: -33.0, reach_max: 36.0, ..Law::NONE },
+    law: Law { overlap_max: 0.25, height_min: -33.0, reach_max: 36.0, ..Law::NONE },
     source: file!(),
     build,
 };
