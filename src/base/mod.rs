@@ -26,6 +26,7 @@ pub(crate) mod planar_hull;
 pub(crate) mod planar_width;
 pub mod segments;
 pub mod square;
+pub(crate) mod symmetric;
 pub mod tasks;
 pub mod timer;
 pub mod trig;

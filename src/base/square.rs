@@ -1,9 +1,7 @@
 //! Square matrices of any size, and systems of linear equations.
 
+use super::symmetric::{factorize, solve};
 use parry::math::Real;
-
-/// A pivot smaller than this fraction of its diagonal entry is rounding: the row is redundant.
-const PIVOT_MIN: Real = 64.0 * Real::EPSILON;
 
 /// A square matrix, found by `(row, column)`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -42,43 +40,12 @@ impl SquareMatrix {
     /// If the length of the vector differs from the number of rows.
     pub fn solve_symmetric(&self, vector: &[Real]) -> Vec<Real> {
         assert_eq!(vector.len(), self.size, "as many numbers as rows");
-        let (lower, inv_pivots) = self.factorize();
-        let mut x = vector.to_vec();
-        for row in 0..self.size {
-            for column in 0..row {
-                x[row] -= lower[(row, column)] * x[column];
-            }
-        }
-        for row in (0..self.size).rev() {
-            x[row] *= inv_pivots[row];
-            for below in row + 1..self.size {
-                x[row] -= lower[(below, row)] * x[below];
-            }
-            if inv_pivots[row] == 0.0 {
-                x[row] = 0.0;
-            }
-        }
-        x
-    }
-
-    /// `L`, whose diagonal of ones is left out, and the inverse of `D`: zero for redundant rows.
-    fn factorize(&self) -> (Self, Vec<Real>) {
-        let mut lower = Self::zeros(self.size);
-        let mut pivots = vec![0.0; self.size];
-        let mut inv_pivots = vec![0.0; self.size];
-        for row in 0..self.size {
-            for column in 0..row {
-                let known = (0..column).map(|k| lower[(row, k)] * lower[(column, k)] * pivots[k]);
-                let rest = self[(row, column)] - known.sum::<Real>();
-                lower[(row, column)] = rest * inv_pivots[column];
-            }
-            let known = (0..row).map(|k| lower[(row, k)] * lower[(row, k)] * pivots[k]);
-            let pivot = self[(row, row)] - known.sum::<Real>();
-            if pivot > PIVOT_MIN * self[(row, row)] {
-                (pivots[row], inv_pivots[row]) = (pivot, 1.0 / pivot);
-            }
-        }
-        (lower, inv_pivots)
+        let rows = (0..self.size).flat_map(|row| (0..=row).map(move |column| (row, column)));
+        let mut factors: Vec<_> = rows.map(|at| f64::from(self[at])).collect();
+        factorize(&mut factors, self.size);
+        let mut x: Vec<_> = vector.iter().copied().map(f64::from).collect();
+        solve(&factors, &mut x);
+        x.into_iter().map(|number| number as Real).collect()
     }
 }
 

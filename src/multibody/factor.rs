@@ -10,7 +10,8 @@
 //! ```
 //!
 //! with the armature `a`. A joint with several degrees of freedom is a chain of massless ones, so no matrix
-//! is inverted. That is an `L D Lᵀ` decomposition of the joint's block, column by column. Then forces become
+//! is inverted. That is an `L D Lᵀ` decomposition of the joint's block, column by column. The degrees of
+//! freedom of the root are components of its velocity; its inertia is inverted as a whole. Then forces become
 //! accelerations:
 //!
 //! ```text
@@ -22,18 +23,19 @@
 //! implicitly over `h`. A spring of stiffness `k` is evaluated after the fraction `θ` of that (`motion/`).
 //! They add `h d + θ h² k` to its armature: they are stable for any stiffness, without cost.
 
-use super::kinematics::{Kinematics, LinkFrame};
+use super::kinematics::Kinematics;
 use super::spatial::{SpatialMatrix, ZERO, add_scaled, carry, carry_back, dot};
-use crate::dim::math::{ANG_DIM, Real, SpatialVector, ang_length_squared};
+use crate::dim::math::{ANG_DIM, DIM, Real, SPATIAL_DIM, SpatialVector, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 
 /// An inertia below this fraction of its subtree's is rounding: the motion of that degree of freedom is
 /// undetermined, and it is locked.
 const INERTIA_MIN: Real = 64.0 * Real::EPSILON;
 
-/// `U` and `1/D` of one degree of freedom.
+/// A degree of freedom of a link with a parent.
 #[derive(Copy, Clone, Debug)]
 struct Pivot {
+    axis: SpatialVector,
     u: SpatialVector,
     /// `1 / D`; zero for an immovable degree of freedom.
     inv_inertia: Real,
@@ -42,13 +44,18 @@ struct Pivot {
 /// The articulated inertias at one configuration.
 #[derive(Clone, Debug, Default)]
 pub struct Factor {
+    /// By degree of freedom; those of the root are unused.
     pivots: Vec<Pivot>,
+    /// The inverse of the root's articulated inertia along its free axes.
+    inv_root: SpatialMatrix,
     inertias: Vec<SpatialMatrix>,
     /// By link: approximate mass and angular inertia from the link to the tips.
     sizes: Vec<[Real; 2]>,
     /// Wrenches of the upward pass of the last [`Self::solve`].
     wrenches: Vec<SpatialVector>,
     accelerations: Vec<SpatialVector>,
+    /// A buffer of [`Self::inverse_inertias`].
+    responses: Vec<SpatialMatrix>,
 }
 
 /// Data of the degrees of freedom when their inertias are summed up.
@@ -63,53 +70,92 @@ pub struct Resistance<'a> {
 impl Factor {
     /// Adds up the articulated inertias.
     pub fn update(&mut self, kinematics: &Kinematics, resistance: Resistance<'_>) {
-        let links = &kinematics.links;
-        self.inertias.clear();
-        self.inertias.extend(links.iter().enumerate().map(|(id, link)| {
+        let Self { pivots, inertias, sizes, .. } = self;
+        inertias.clear();
+        sizes.clear();
+        pivots.clear();
+        for (id, link) in kinematics.links.iter().enumerate() {
             let [along, about] = resistance.drag.get(id).copied().unwrap_or([1.0; 2]);
-            SpatialMatrix::rigid(link.mass * along, &link.inertia.map(|row| row.map(|m| m * about)))
-        }));
-        self.measure(kinematics);
-        let none = Pivot { u: ZERO, inv_inertia: 0.0 };
-        self.pivots.clear();
-        self.pivots.resize(kinematics.ndofs(), none);
-        for (id, link) in links.iter().enumerate().rev() {
-            let mut inertia = self.inertias[id];
-            for dof in link.dofs.clone().rev() {
-                let axis = &kinematics.axes[dof];
-                let u = inertia.mul(axis);
-                let [mass, moment] = self.sizes[id];
-                let (along, about) =
-                    (linear(axis).length_squared(), ang_length_squared(angular(axis)));
-                let total = dot(axis, &u) + resistance.armature[dof];
-                let moves =
-                    total > INERTIA_MIN * (mass * along + moment * about) && total.is_finite();
-                let inv_inertia = if moves { 1.0 / total } else { 0.0 };
-                inertia.reduce(&u, inv_inertia);
-                self.pivots[dof] = Pivot { u, inv_inertia };
-            }
-            if let Some(parent) = link.parent {
-                let felt = inertia.carried_back(link.offset);
-                self.inertias[parent].add(&felt);
-            }
+            let inertia = link.inertia.map(|row| row.map(|m| m * about));
+            inertias.push(SpatialMatrix::rigid(link.mass * along, &inertia));
+            sizes.push([link.mass, (0..ANG_DIM).map(|k| link.inertia[k][k]).sum()]);
         }
-    }
-
-    fn measure(&mut self, kinematics: &Kinematics) {
-        let trace = |link: &LinkFrame| (0..ANG_DIM).map(|k| link.inertia[k][k]).sum();
-        self.sizes.clear();
-        self.sizes.extend(kinematics.links.iter().map(|link| [link.mass, trace(link)]));
+        let pivot = |axis: &SpatialVector| Pivot { axis: *axis, u: ZERO, inv_inertia: 0.0 };
+        pivots.extend(kinematics.axes.iter().map(pivot));
         for (id, link) in kinematics.links.iter().enumerate().rev() {
             let Some(parent) = link.parent else { continue };
-            let [mass, moment] = self.sizes[id];
-            self.sizes[parent][0] += mass;
-            self.sizes[parent][1] += moment + mass * link.offset.length_squared();
+            let ([mass, moment], mut inertia) = (sizes[id], inertias[id]);
+            let (dofs, armature) =
+                (&mut pivots[link.dofs.clone()], &resistance.armature[link.dofs.clone()]);
+            for (Pivot { axis, u, inv_inertia }, armature) in dofs.iter_mut().zip(armature).rev() {
+                *u = inertia.mul(axis);
+                let (along, about) =
+                    (linear(axis).length_squared(), ang_length_squared(angular(axis)));
+                let total = dot(axis, u) + armature;
+                let moves =
+                    total > INERTIA_MIN * (mass * along + moment * about) && total.is_finite();
+                *inv_inertia = if moves { 1.0 / total } else { 0.0 };
+                inertia.add_product(u, u, -*inv_inertia);
+            }
+            inertias[parent].add(&inertia.carried_back(link.offset));
+            sizes[parent][0] += mass;
+            sizes[parent][1] += moment + mass * link.offset.length_squared();
         }
+        self.invert_root(&kinematics.root_axes, resistance.armature);
     }
 
-    /// Inverse articulated inertia of each degree of freedom: descendants free, ancestors locked.
-    pub fn inv_articulated_inertias(&self) -> impl Iterator<Item = Real> {
-        self.pivots.iter().map(|pivot| pivot.inv_inertia)
+    fn invert_root(&mut self, axes: &[usize], armature: &[Real]) {
+        let (Some(inertia), Some(&[mass, moment])) = (self.inertias.first(), self.sizes.first())
+        else {
+            return;
+        };
+        let (mut inertia, mut least) = (*inertia, [Real::MAX; SPATIAL_DIM]);
+        let mut more = ZERO;
+        for (&axis, armature) in axes.iter().zip(armature) {
+            more[axis] = *armature;
+            least[axis] = INERTIA_MIN * if axis < DIM { mass } else { moment };
+        }
+        inertia.add_diagonal(&more);
+        self.inv_root = inertia.inverse(&least);
+    }
+
+    /// Inverse articulated inertia of each degree of freedom: descendants free, ancestors locked. All of the
+    /// root are free.
+    pub fn inv_articulated_inertias(&self, root_axes: &[usize]) -> impl Iterator<Item = Real> {
+        let of_root = self.inv_root.diagonal();
+        let others = self.pivots.iter().skip(root_axes.len()).map(|pivot| pivot.inv_inertia);
+        root_axes.iter().map(move |&axis| of_root[axis]).chain(others)
+    }
+
+    /// By degree of freedom: its acceleration by a force of 1 on it, while all others are free: the diagonal
+    /// of `M⁻¹`.
+    ///
+    /// The response `Ω` of a link to wrenches on it follows from its parent's, from the root to the tips. A
+    /// degree of freedom takes `u/D` of a wrench on the link away from the parent, and adds its own motion:
+    ///
+    /// ```text
+    /// M⁻¹_jj = (1 + uᵀ Ω u / D) / D        Ω ← (1 - s uᵀ/D) Ω (1 - u sᵀ/D) + s sᵀ / D
+    /// ```
+    pub fn inverse_inertias(&mut self, kinematics: &Kinematics, inverses: &mut Vec<Real>) {
+        inverses.clear();
+        inverses.extend(self.inv_articulated_inertias(&kinematics.root_axes));
+        let Self { pivots, responses, .. } = self;
+        responses.clear();
+        responses.push(self.inv_root);
+        for link in &kinematics.links {
+            let Some(parent) = link.parent else { continue };
+            let mut response = responses[parent].carried(link.offset);
+            for dof in link.dofs.clone() {
+                let Pivot { axis, u, inv_inertia } = &pivots[dof];
+                let moved = response.mul(u);
+                let inverse = inv_inertia + inv_inertia * inv_inertia * dot(u, &moved);
+                response.add_product(axis, &moved, -inv_inertia);
+                response.add_product(&moved, axis, -inv_inertia);
+                response.add_product(axis, axis, inverse);
+                inverses[dof] = inverse;
+            }
+            responses.push(response);
+        }
     }
 
     /// Computes accelerations from forces on the degrees of freedom and wrenches on the links (or velocities
@@ -120,42 +166,46 @@ impl Factor {
         wrenches: &[SpatialVector],
         forces: &mut [Real],
     ) {
-        self.gather(kinematics, wrenches, forces);
+        self.wrenches.clear();
+        self.wrenches.extend_from_slice(wrenches);
+        self.wrenches.resize(kinematics.links.len(), ZERO);
+        self.gather(kinematics, forces);
         self.respond(kinematics, forces);
     }
 
     /// From the tips to the root: `forces` become `u`.
-    fn gather(&mut self, kinematics: &Kinematics, wrenches: &[SpatialVector], forces: &mut [Real]) {
-        self.wrenches.clear();
-        self.wrenches.extend_from_slice(wrenches);
-        self.wrenches.resize(kinematics.links.len(), ZERO);
+    fn gather(&mut self, kinematics: &Kinematics, forces: &mut [Real]) {
         for (id, link) in kinematics.links.iter().enumerate().rev() {
+            let Some(parent) = link.parent else { continue };
             let mut wrench = self.wrenches[id];
-            for dof in link.dofs.clone().rev() {
-                let pivot = &self.pivots[dof];
-                forces[dof] += dot(&kinematics.axes[dof], &wrench);
-                add_scaled(&mut wrench, &pivot.u, -(pivot.inv_inertia * forces[dof]));
+            let dofs = self.pivots[link.dofs.clone()].iter().zip(&mut forces[link.dofs.clone()]);
+            for (Pivot { axis, u, inv_inertia }, force) in dofs.rev() {
+                *force += dot(axis, &wrench);
+                add_scaled(&mut wrench, u, -(inv_inertia * *force));
             }
-            if let Some(parent) = link.parent {
-                let felt = carry_back(&wrench, link.offset);
-                add_scaled(&mut self.wrenches[parent], &felt, 1.0);
-            }
+            add_scaled(&mut self.wrenches[parent], &carry_back(&wrench, link.offset), 1.0);
         }
     }
 
     /// From the root to the tips: `u` becomes the acceleration.
     fn respond(&mut self, kinematics: &Kinematics, forces: &mut [Real]) {
         self.accelerations.clear();
+        let Some(mut of_root) = self.wrenches.first().copied() else { return };
+        for (&axis, force) in kinematics.root_axes.iter().zip(&*forces) {
+            of_root[axis] += force;
+        }
+        let of_root = self.inv_root.mul(&of_root);
+        for (&axis, force) in kinematics.root_axes.iter().zip(&mut *forces) {
+            *force = of_root[axis];
+        }
+        self.accelerations.push(of_root);
         for link in &kinematics.links {
-            let mut acceleration = match link.parent {
-                Some(parent) => carry(&self.accelerations[parent], link.offset),
-                None => ZERO,
-            };
-            for dof in link.dofs.clone() {
-                let pivot = &self.pivots[dof];
-                let rate = pivot.inv_inertia * (forces[dof] - dot(&pivot.u, &acceleration));
-                forces[dof] = rate;
-                add_scaled(&mut acceleration, &kinematics.axes[dof], rate);
+            let Some(parent) = link.parent else { continue };
+            let mut acceleration = carry(&self.accelerations[parent], link.offset);
+            let dofs = self.pivots[link.dofs.clone()].iter().zip(&mut forces[link.dofs.clone()]);
+            for (Pivot { axis, u, inv_inertia }, force) in dofs {
+                *force = inv_inertia * (*force - dot(u, &acceleration));
+                add_scaled(&mut acceleration, axis, *force);
             }
             self.accelerations.push(acceleration);
         }

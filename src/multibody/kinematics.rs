@@ -3,11 +3,13 @@
 use super::spatial::{AngularMatrix, ZERO, add_scaled, angular_momentum, carry, carry_back, dot};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
-    ANG_ZERO, DIM, Pose, Real, Rotation, SpatialVector, Vector, ang_length_squared, cross,
+    ANG_ZERO, DIM, Pose, Real, Rotation, SPATIAL_DIM, SpatialVector, Vector, ang_length_squared,
+    cross,
 };
 use crate::dim::spatial::{angular, join, linear, turn_axis, world_inertia};
 use crate::model::joint::mask_of;
 use crate::model::multibody::{Multibody, MultibodyLink};
+use arrayvec::ArrayVec;
 use core::ops::Range;
 
 /// A link at one configuration. All vectors are in world axes.
@@ -43,6 +45,8 @@ pub struct Kinematics {
     pub links: Vec<LinkFrame>,
     /// By degree of freedom: the spatial velocity that it gives its link at the rate 1.
     pub axes: Vec<SpatialVector>,
+    /// The components of the spatial velocity that the degrees of freedom of the root are.
+    pub root_axes: ArrayVec<usize, SPATIAL_DIM>,
 }
 
 impl Kinematics {
@@ -60,6 +64,7 @@ impl Kinematics {
     pub fn update(&mut self, multibody: &Multibody) {
         self.links.clear();
         self.axes.clear();
+        self.root_axes.clear();
         for link in &multibody.links {
             match link.parent {
                 None => self.push_root(link),
@@ -86,6 +91,7 @@ impl Kinematics {
             let mut motion = ZERO;
             motion[axis as usize] = 1.0;
             self.axes.push(motion);
+            self.root_axes.push(axis as usize);
         }
     }
 
@@ -133,11 +139,17 @@ impl Kinematics {
     /// The velocities of all links. `root` is that of a root without degrees of freedom.
     pub fn velocities(&self, rates: &[Real], root: &SpatialVector, out: &mut Vec<SpatialVector>) {
         out.clear();
+        if self.links.is_empty() {
+            return;
+        }
+        let mut of_root = *root;
+        for (&axis, rate) in self.root_axes.iter().zip(rates) {
+            of_root[axis] += rate;
+        }
+        out.push(of_root);
         for link in &self.links {
-            let mut velocity = match link.parent {
-                Some(parent) => carry(&out[parent], link.offset),
-                None => *root,
-            };
+            let Some(parent) = link.parent else { continue };
+            let mut velocity = carry(&out[parent], link.offset);
             for dof in link.dofs.clone() {
                 add_scaled(&mut velocity, &self.axes[dof], rates[dof]);
             }
@@ -196,11 +208,6 @@ impl Kinematics {
             next = link.parent;
         }
         columns
-    }
-
-    /// Number of degrees of freedom.
-    pub fn ndofs(&self) -> usize {
-        self.axes.len()
     }
 }
 

@@ -16,49 +16,44 @@
 //! * Excess energy can be taken from the change of shape. This conserves the linear and angular momentum in
 //!   every frame of reference.
 
-use super::factor::{Factor, Resistance};
-use super::kinematics::{Kinematics, LinkFrame};
-use super::spatial::{AngularMatrix, ZERO, add_scaled, carry, carry_back};
-use crate::dim::math::{
-    ANG_DIM, ANG_ZERO, Real, SPATIAL_DIM, SpatialVector, Vector, cross, torque,
-};
-use crate::dim::spatial::{ANG_AXES, ang_components, angular};
+use super::kinematics::Kinematics;
+use super::spatial::{AngularMatrix, SpatialMatrix, ZERO, add_scaled};
+use crate::dim::math::{ANG_DIM, DIM, Real, SPATIAL_DIM, SpatialVector, Vector, cross, torque};
+use crate::dim::spatial::{ANG_AXES, ang_components};
 
 /// Regularisation of the locked inertia when it corrects a missing momentum, as a fraction of the sum of its
 /// moments of inertia.
 const REGULARISATION_FRACTION: Real = 0.05;
 /// Number of rounds of the correction.
 const ROUNDS: usize = 6;
+/// A pivot of the inertia below this fraction of its diagonal element is rounding.
+const PIVOT_MIN: Real = 64.0 * Real::EPSILON;
 
-/// See the [module](self). Its degrees of freedom are the root's.
+/// See the [module](self). Momenta are about the root's centre of mass, and rates those of the root; both
+/// have numbers along the free axes of the root alone.
 #[derive(Clone, Debug, Default)]
 pub struct LockedInertia {
-    /// A single link.
-    body: Kinematics,
-    factor: Factor,
-    /// From the root's centre of mass to that of the locked body.
-    reach: Vector,
-    rates: Vec<Real>,
+    matrix: SpatialMatrix,
+    /// The inverse of the matrix with the regularisation.
+    inv_regularised: SpatialMatrix,
+    /// Whether the root can move along or about each axis.
+    is_free: [bool; SPATIAL_DIM],
 }
 
 impl LockedInertia {
-    /// The locked inertia of the links at their poses. Without degrees of freedom of the
-    /// root, the locked body does not move.
-    pub fn update(&mut self, kinematics: &Kinematics) {
-        let root = &kinematics.links[0];
-        self.body.links.clear();
-        self.body.axes.clear();
-        if root.dofs.is_empty() {
-            return;
+    /// The locked inertia of the links at their poses. Without degrees of freedom of the root, the locked
+    /// body does not move.
+    pub fn of(kinematics: &Kinematics) -> Self {
+        let mut locked = Self::default();
+        if kinematics.root_axes.is_empty() {
+            return locked;
         }
-        let mass: Real = kinematics.links.iter().map(|link| link.mass).sum();
-        let moment = |sum: Vector, link: &LinkFrame| sum + (link.center - root.center) * link.mass;
-        let moment = kinematics.links.iter().fold(Vector::ZERO, moment);
-        self.reach = if mass > 0.0 { moment / mass } else { Vector::ZERO };
-        let center = root.center + self.reach;
+        let root = kinematics.links[0].center;
+        let (mut mass, mut moment) = (0.0, Vector::ZERO);
         let mut inertia: AngularMatrix = [[0.0; ANG_DIM]; ANG_DIM];
         for link in &kinematics.links {
-            let arm = link.center - center;
+            let arm = link.center - root;
+            (mass, moment) = (mass + link.mass, moment + arm * link.mass);
             for ((row, own), axis) in inertia.iter_mut().zip(&link.inertia).zip(ANG_AXES) {
                 let of_mass = ang_components(torque(arm, cross(axis, arm)) * link.mass);
                 for k in 0..ANG_DIM {
@@ -66,57 +61,45 @@ impl LockedInertia {
                 }
             }
         }
-        let axes = &kinematics.axes[root.dofs.clone()];
-        self.body.axes.extend(axes.iter().map(|axis| carry(axis, self.reach)));
-        self.body.links.push(LinkFrame { center, mass, inertia, ..root.clone() });
+        let trace: Real = (0..ANG_DIM).map(|k| inertia[k][k]).sum();
+        locked.matrix = SpatialMatrix::composite(mass, moment, &inertia);
+        for &axis in &kinematics.root_axes {
+            locked.is_free[axis] = true;
+        }
+        locked.matrix.keep(&locked.is_free);
+        // About the common centre of mass: the sum of moments of inertia about all axes loses twice `m r²`
+        // in 3D, and once in 2D.
+        let of_root = (DIM - 1) as Real * moment.length_squared() / mass;
+        let trace = if of_root < trace { trace - of_root } else { 0.0 };
+        let mut more = ZERO;
+        more[DIM..].fill(REGULARISATION_FRACTION * trace);
+        let mut regularised = locked.matrix;
+        regularised.add_diagonal(&more);
+        locked.inv_regularised = regularised.inverse(&locked.least_pivots());
+        locked
     }
 
-    /// Adds its inertia up, with this much more of it about or along each axis.
-    fn resist(&mut self, armature: impl Fn(&SpatialVector) -> Real) {
-        let mut resisting = [0.0; SPATIAL_DIM];
-        let axes = &self.body.axes;
-        resisting.iter_mut().zip(axes).for_each(|(own, axis)| *own = armature(axis));
-        let armature = &resisting[..axes.len()];
-        self.factor.update(&self.body, Resistance { armature, drag: &[] });
-    }
-
-    /// The rates of the root's degrees of freedom at which the locked body has a momentum, given about the
-    /// root's centre of mass.
-    pub fn rates_at(&mut self, momentum: &SpatialVector) -> &[Real] {
-        self.resist(|_| 0.0);
-        self.solve(&carry_back(momentum, -self.reach));
-        &self.rates
+    /// The rates at which the locked body has a momentum.
+    pub fn rates_at(&self, momentum: &SpatialVector) -> SpatialVector {
+        self.matrix.inverse(&self.least_pivots()).mul(momentum)
     }
 
     /// The rates that correct a missing momentum, except about thin axes.
     ///
     /// Each round corrects the fraction `I / (I + S)` of the rest, with the regularisation `S`. Six rounds
     /// leave a few millionths about axes that are not thin, and correct almost nothing about thin ones.
-    pub fn correction(&mut self, missing: &SpatialVector) -> &[Real] {
-        let link = &self.body.links[0];
-        let regularisation =
-            REGULARISATION_FRACTION * (0..ANG_DIM).map(|k| link.inertia[k][k]).sum::<Real>();
-        self.resist(|axis| if angular(axis) == ANG_ZERO { 0.0 } else { regularisation });
-        let mut rest = carry_back(missing, -self.reach);
-        let mut sum = [0.0; SPATIAL_DIM];
+    pub fn correction(&self, missing: &SpatialVector) -> SpatialVector {
+        let (mut rest, mut sum) = (*missing, ZERO);
         for _ in 0..ROUNDS {
-            self.solve(&rest);
-            let mut velocity = ZERO;
-            for (dof, (axis, rate)) in self.body.axes.iter().zip(&self.rates).enumerate() {
-                add_scaled(&mut velocity, axis, *rate);
-                sum[dof] += rate;
-            }
-            add_scaled(&mut rest, &self.body.links[0].momentum(&velocity), -1.0);
+            let rates = self.inv_regularised.mul(&rest);
+            add_scaled(&mut sum, &rates, 1.0);
+            add_scaled(&mut rest, &self.matrix.mul(&rates), -1.0);
         }
-        let count = self.rates.len();
-        self.rates.copy_from_slice(&sum[..count]);
-        &self.rates
+        sum
     }
 
-    /// The rates that a momentum about the centre of mass of the locked body leads to.
-    fn solve(&mut self, momentum: &SpatialVector) {
-        self.rates.clear();
-        self.rates.resize(self.body.axes.len(), 0.0);
-        self.factor.solve(&self.body, &[*momentum], &mut self.rates);
+    fn least_pivots(&self) -> SpatialVector {
+        let diagonal = self.matrix.diagonal();
+        core::array::from_fn(|k| if self.is_free[k] { PIVOT_MIN * diagonal[k] } else { Real::MAX })
     }
 }

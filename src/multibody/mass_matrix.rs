@@ -42,12 +42,12 @@ impl Multibody {
     /// The diagonal of `M⁻¹`: the acceleration of each degree of freedom by a force of 1 on it, while the
     /// others are free. A spring of the stiffness `k` there has the angular frequency `√(k M⁻¹ᵢᵢ)`.
     pub fn dof_inverse_inertia(&self) -> Vec<Real> {
-        let inverse = |dof: usize| {
-            let mut forces = vec![0.0; dof + 1];
-            forces[dof] = 1.0;
-            self.accelerations_of(&forces)[dof]
-        };
-        (0..self.ndofs()).map(inverse).collect()
+        let (mut inverses, (kinematics, mut factor)) = (Vec::new(), self.factorized());
+        if self.is_whole() {
+            factor.inverse_inertias(&kinematics, &mut inverses);
+        }
+        inverses.resize(self.ndofs(), 0.0);
+        inverses
     }
 
     /// `M⁻¹ τ`: the accelerations of the degrees of freedom by these forces on them (or velocities by
@@ -56,14 +56,18 @@ impl Multibody {
         if !self.is_whole() {
             return vec![0.0; self.ndofs()];
         }
-        let kinematics = Kinematics::of(self);
-        let armature: Vec<_> = self.armature().iter().copied().map(usable).collect();
-        let mut factor = Factor::default();
-        factor.update(&kinematics, Resistance { armature: &armature, drag: &[] });
+        let (kinematics, mut factor) = self.factorized();
         let mut forces = forces.to_vec();
         forces.resize(self.ndofs(), 0.0);
         factor.solve(&kinematics, &[], &mut forces);
         forces
+    }
+
+    fn factorized(&self) -> (Kinematics, Factor) {
+        let (kinematics, mut factor) = (Kinematics::of(self), Factor::default());
+        let armature: Vec<_> = self.armature().iter().copied().map(usable).collect();
+        factor.update(&kinematics, Resistance { armature: &armature, drag: &[] });
+        (kinematics, factor)
     }
 }
 

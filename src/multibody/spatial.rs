@@ -61,7 +61,7 @@ fn angular_numbers(w: AngVector) -> [Real; ANG_DIM] {
 
 /// A symmetric spatial matrix: an inertia, rigid or articulated. All entries are kept: the compiler makes
 /// wide instructions of whole rows.
-#[derive(Copy, Clone, Debug)]
+#[derive(Copy, Clone, Debug, Default)]
 pub struct SpatialMatrix([SpatialVector; SPATIAL_DIM]);
 
 impl SpatialMatrix {
@@ -76,6 +76,19 @@ impl SpatialMatrix {
         }
         for (row, entries) in matrix.0[DIM..].iter_mut().zip(inertia) {
             row[DIM..].copy_from_slice(entries);
+        }
+        matrix
+    }
+
+    /// The spatial inertia of several bodies about a point, with the sum of their moments `m r` from there.
+    pub fn composite(mass: Real, moment: Vector, inertia: &AngularMatrix) -> Self {
+        let mut matrix = Self::rigid(mass, inertia);
+        for (k, axis) in ANG_AXES.into_iter().enumerate() {
+            let momentum = join(cross(axis, moment), axis);
+            for (row, entry) in momentum[..DIM].iter().enumerate() {
+                matrix.0[DIM + k][row] = *entry;
+                matrix.0[row][DIM + k] = *entry;
+            }
         }
         matrix
     }
@@ -98,12 +111,64 @@ impl SpatialMatrix {
         }
     }
 
-    /// Takes `u uᵀ · factor` off.
+    /// Adds `a bᵀ · factor`.
     #[inline]
-    pub fn reduce(&mut self, u: &SpatialVector, factor: Real) {
-        for (column, entry) in self.0.iter_mut().zip(u) {
-            add_scaled(column, u, -(entry * factor));
+    pub fn add_product(&mut self, a: &SpatialVector, b: &SpatialVector, factor: Real) {
+        for (column, entry) in self.0.iter_mut().zip(b) {
+            add_scaled(column, a, entry * factor);
         }
+    }
+
+    /// `X Ω Xᵀ`: the response of a body to wrenches at `r` from where it was measured, there.
+    pub fn carried(&self, r: Vector) -> Self {
+        let columns = self.0.map(|column| carry(&column, r));
+        let rows: [SpatialVector; SPATIAL_DIM] =
+            core::array::from_fn(|k| carry(&columns.map(|column| column[k]), r));
+        Self(rows)
+    }
+
+    /// The diagonal.
+    pub fn diagonal(&self) -> SpatialVector {
+        core::array::from_fn(|k| self.0[k][k])
+    }
+
+    /// Adds to the diagonal.
+    pub fn add_diagonal(&mut self, numbers: &SpatialVector) {
+        for (k, number) in numbers.iter().enumerate() {
+            self.0[k][k] += number;
+        }
+    }
+
+    /// Sets the rows and columns of all other axes to zero.
+    pub fn keep(&mut self, axes: &[bool; SPATIAL_DIM]) {
+        for (j, column) in self.0.iter_mut().enumerate() {
+            for (entry, keeps) in column.iter_mut().zip(axes) {
+                *entry = if *keeps && axes[j] { *entry } else { 0.0 };
+            }
+        }
+    }
+
+    /// The inverse of a matrix without negative eigenvalues. Where the pivot of an axis is not above the
+    /// least one, or is infinite, the axis is left out: the inverse has zeros there.
+    ///
+    /// Each step of Gauss and Jordan sweeps one axis; after all of them, the matrix is the negative inverse.
+    pub fn inverse(&self, least_pivots: &SpatialVector) -> Self {
+        let mut a = self.0;
+        for k in 0..SPATIAL_DIM {
+            let (pivot, column) = (a[k][k], a[k]);
+            let is_determined = pivot > least_pivots[k] && pivot.is_finite();
+            let inverse = if is_determined { 1.0 / pivot } else { 0.0 };
+            for (j, other) in a.iter_mut().enumerate() {
+                let factor = column[j] * inverse;
+                for (entry, swept) in other.iter_mut().zip(&column) {
+                    *entry -= swept * factor;
+                }
+                other[k] = factor;
+            }
+            a[k] = column.map(|entry| entry * inverse);
+            a[k][k] = -inverse;
+        }
+        Self(a.map(|column| column.map(|entry| -entry)))
     }
 
     /// `Xᵀ I X`: the inertia at `r` from the reference point, about that point.
@@ -123,6 +188,27 @@ mod tests {
     use super::*;
 
     #[test]
+    fn inverses_invert_what_is_determined() {
+        let mut inertia: AngularMatrix = [[0.0; ANG_DIM]; ANG_DIM];
+        for (k, row) in inertia.iter_mut().enumerate() {
+            row[k] = 0.3 + k as Real;
+        }
+        let matrix =
+            SpatialMatrix::rigid(2.0, &inertia).carried_back(Vector::X * 0.7 - Vector::Y * 0.4);
+        let mut least = [1.0e-6; SPATIAL_DIM];
+        let v: SpatialVector = core::array::from_fn(|k| 1.0 - 0.4 * k as Real);
+        let found = matrix.inverse(&least).mul(&matrix.mul(&v));
+        assert!(found.iter().zip(&v).all(|(a, b)| (a - b).abs() < 1.0e-5), "{found:?} for {v:?}");
+        // A locked axis gets nothing, and the others move as if it stood still.
+        least[1] = Real::MAX;
+        let (mut locked, push) = (v, [1.0; SPATIAL_DIM]);
+        locked.copy_from_slice(&matrix.inverse(&least).mul(&push));
+        assert_eq!(locked[1], 0.0);
+        let back = matrix.mul(&locked);
+        assert!((0..SPATIAL_DIM).all(|k| k == 1 || (back[k] - 1.0).abs() < 1.0e-5), "{back:?}");
+    }
+
+    #[test]
     fn a_carried_inertia_is_the_sum_of_carried_parts() {
         let r = Vector::X * 0.7 - Vector::Y * 0.4;
         let mut inertia: AngularMatrix = [[0.0; ANG_DIM]; ANG_DIM];
@@ -131,6 +217,10 @@ mod tests {
         }
         let matrix = SpatialMatrix::rigid(2.0, &inertia);
         let v: SpatialVector = core::array::from_fn(|k| 1.0 - 0.4 * k as Real);
+        let momentum = SpatialMatrix::composite(2.0, r * 2.0, &inertia).mul(&v);
+        let of_mass = linear(&carry(&v, r)) * 2.0;
+        let linear_error = (linear(&momentum) - of_mass).length();
+        assert!(linear_error < 1.0e-5, "{momentum:?} for {of_mass}");
         let expected = carry_back(&matrix.mul(&carry(&v, r)), r);
         let found = matrix.carried_back(r).mul(&v);
         let error = found.iter().zip(&expected).map(|(a, b)| (a - b).abs());

@@ -119,7 +119,7 @@ impl LinkTrajectory {
         let mut motion = Motion::default();
         motion.joint_loads = inertias(multibody);
         motion.begin(multibody, bodies);
-        let (last, momenta) = (motion.rates.clone(), motion.link_momenta());
+        let (last, momenta) = (motion.rates.to_vec(), motion.link_momenta());
         let mut has_diverged = false;
         let count = ((1.0 - fraction) * pieces as Real).ceil().max(1.0);
         let piece = (1.0 - fraction) / count;
@@ -133,12 +133,12 @@ impl LinkTrajectory {
         motion.displace(multibody, &self.shift, 0.0);
         motion.resist(0.0);
         if has_diverged {
-            motion.rates.clone_from(&last);
+            motion.rates.copy_from_slice(&last);
             motion.take_momenta(|id, _| Some(momenta[id]));
         }
-        motion.finish();
+        motion.finish(false);
         if !motion.rates.iter().all(|rate| rate.is_finite()) {
-            motion.rates = last;
+            motion.rates.copy_from_slice(&last);
         }
         (motion, has_diverged)
     }

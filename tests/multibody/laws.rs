@@ -164,3 +164,19 @@ fn impulses_act_through_joints() {
     let found = crate::dim::z_of(world.bodies[rod].angvel());
     assert!((found / expected - 1.0).abs() < 1.0e-3, "{found} instead of {expected}");
 }
+
+/// The inverse inertia of a degree of freedom is its acceleration by a force of 1 on it.
+#[test]
+fn inverse_inertias_are_responses_to_unit_forces() {
+    for seed in 0..20 {
+        let (world, joint) = tree(seed, seed % 2 == 0);
+        let (multibody, _) = world.multibody_joints.get(joint).expect("it is there");
+        for (dof, inverse) in multibody.dof_inverse_inertia().into_iter().enumerate() {
+            let mut forces = vec![0.0; multibody.ndofs()];
+            forces[dof] = 1.0;
+            let expected = multibody.accelerations_of(&forces)[dof];
+            let error = (inverse - expected).abs();
+            assert!(error <= 1.0e-3 * expected, "{seed}, {dof}: {inverse} for {expected}");
+        }
+    }
+}

@@ -72,10 +72,8 @@ pub struct Multibody {
     pub(crate) lists: DofLists,
     pub(crate) couplings: Vec<MultibodyDofCoupling>,
     pub(super) self_contacts_enabled: bool,
-    /// The sum of the energy errors of free motion (J), not above 0: see `multibody/motion/free.rs`.
-    pub(crate) free_motion_error: Real,
-    /// The excess energy of impulses (J), which is bounded as well.
-    pub(crate) impulse_error: Real,
+    /// The balance of its energy (J): see `multibody/motion/ledger.rs`.
+    pub(crate) energy_error: Real,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) attachment: Attachment,
 }
@@ -86,8 +84,7 @@ clone_in_place!(Multibody {
     lists,
     couplings,
     self_contacts_enabled,
-    free_motion_error,
-    impulse_error,
+    energy_error,
     attachment
 });
 
@@ -106,8 +103,7 @@ impl Multibody {
             lists: DofLists::default(),
             couplings: Vec::new(),
             self_contacts_enabled: true,
-            free_motion_error: 0.0,
-            impulse_error: 0.0,
+            energy_error: 0.0,
             attachment: Default::default(),
         }
     }
@@ -448,9 +444,11 @@ impl DofLists {
     }
 
     /// Stores the velocities that the bodies get.
-    pub fn store_velocities(&mut self, rates: &Vec<Real>) {
-        self.velocities.clone_from(rates);
-        self.body_velocities.clone_from(rates);
+    pub fn store_velocities(&mut self, rates: &[Real]) {
+        for list in [&mut self.velocities, &mut self.body_velocities] {
+            list.clear();
+            list.extend_from_slice(rates);
+        }
     }
 
     fn extend(&mut self, mut other: Self) {

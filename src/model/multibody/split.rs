@@ -31,8 +31,7 @@ impl Multibody {
                     }
                     parts.push(Self {
                         self_contacts_enabled: self.self_contacts_enabled,
-                        free_motion_error: 0.0,
-                        impulse_error: 0.0,
+                        energy_error: 0.0,
                         ..Self::new()
                     });
                     kept.push(Vec::new());

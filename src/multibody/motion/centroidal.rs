@@ -7,22 +7,15 @@
 //! chains do not drift, and contacts conserve momentum.
 //!
 //! Contact impulses after the free motion leave a momentum that is corrected at the beginning of the next
-//! substep. The energy of that correction is part of the reference of the next impulses. Uneven trees that
-//! hit walls gain energy this way. Two remedies were tried on 1,000 random trees
-//! (`tests/multibody/energy.rs`), and neither is in use. Both correct the momentum before the energy bound of
-//! the same substep. They scale all velocities where the change of shape has less than the excess:
-//!
-//! * always: none gains energy in 120 steps (3D, single precision), but free trees lose up to 1.8 % of their
-//!   momentum in 1 s;
-//! * with contacts only: momentum is conserved, but one of 1,000 trees, number 658, gains a multiple of its
-//!   energy. In 2D and double precision, tree 662 gains 17 % and tree 431 23 %.
+//! substep. The energy of that correction belongs to the entry of the next substep in the ledger of energy
+//! (`ledger.rs`).
 //!
 //! The momentum is that about the root's centre of mass, wherever that moves. The moment arm of an impulse
 //! moves along: the contact of a ball is below the ball also when this has rolled on. (With the arm of the
 //! start of the step, the ball would rotate by its weight times its displacement.)
 
 use super::super::kinematics::LinkFrame;
-use super::super::spatial::{ZERO, add_scaled, carry_back, dot};
+use super::super::spatial::{ZERO, add_scaled, carry_back};
 use super::{Motion, add_all};
 use crate::dim::math::{Real, SpatialVector, Vector};
 
@@ -33,6 +26,11 @@ impl Motion {
         for (axis, impulse) in self.kinematics.axes.iter().zip(impulses) {
             add_scaled(&mut self.external_impulse, axis, impulse * factor);
         }
+    }
+
+    /// Records that an impact has changed the rates.
+    pub fn note_impact(&mut self) {
+        self.ledger.is_hit = true;
     }
 
     /// The noted external impulses that are not applied yet.
@@ -49,6 +47,7 @@ impl Motion {
 
     /// Begins to follow the momentum.
     pub(super) fn follow_momentum(&mut self) {
+        self.ledger.is_hit |= self.external_impulse != ZERO;
         (self.momentum, self.external_impulse) = (self.root_momentum(), ZERO);
     }
 
@@ -66,15 +65,18 @@ impl Motion {
         let correction = self.locked_inertia.correction(&missing);
         let mut mean = now;
         add_scaled(&mut mean, &missing, 0.5);
-        let axes = self.kinematics.axes.iter().zip(correction);
-        let energy = axes.map(|(axis, rate)| dot(axis, &mean) * rate).sum();
-        add_all(&mut self.rates, correction, 1.0);
+        let mut energy = 0.0;
+        for (own, &axis) in self.rates.iter_mut().zip(&self.kinematics.root_axes) {
+            energy += mean[axis] * correction[axis];
+            *own += correction[axis];
+        }
         energy
     }
 
     /// Changes the reference point of the momentum, and of the external impulses, from `before` to the root's
     /// centre of mass.
     pub(super) fn carry_momentum(&mut self, before: Vector) {
+        self.ledger.is_hit |= self.external_impulse != ZERO;
         add_scaled(&mut self.momentum, &self.external_impulse, 1.0);
         self.momentum = carry_back(&self.momentum, before - self.kinematics.links[0].center);
         self.external_impulse = ZERO;

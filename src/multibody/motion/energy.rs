@@ -1,17 +1,13 @@
-//! The kinetic energy of a multibody, and the removal of energy gains.
+//! The kinetic energy of a multibody, and its limits.
 //!
-//! Free motion conserves the energy in any inertial frame (`free.rs`). Impulses of contacts with bodies at
-//! rest, of limits and of dry friction do not increase it. Numerically both may. An energy gain of free
-//! motion is removed from the change of shape first, so that linear and angular momentum stay. An energy gain
+//! Energy is removed from the change of shape first, so that linear and angular momentum stay. A large gain
 //! of contacts is removed from all velocities alike: scaled velocities still lead out of a contact.
 
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::{ZERO, angular_momentum};
-use super::free::ERROR_MAX;
-use super::{JointLoad, Motion, add_all};
-use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot, ang_length_squared};
+use super::{JointLoad, Motion};
+use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot};
 use crate::dim::spatial::{angular, linear};
-use crate::model::multibody::Multibody;
 
 /// Rotation (rad) of a link per step beyond which its contact rows are rebuilt in each substep. Other rows
 /// are built once, at the beginning of the step. (Four hundred rods on long arms were thrown on the ground.
@@ -25,7 +21,7 @@ const JOINT_ANGLE_MAX: Real = 0.5;
 const ANGLE_MEANINGFUL_MAX: Real = 1.0e6;
 /// If at least this fraction of the energy is kept, the excess is removed from the change of shape.
 const SHAPE_REDUCTION_FRACTION_MIN: Real = 0.9;
-/// Relative rounding error of an energy.
+/// Relative rounding error of a comparison of energies.
 const ROUNDING: Real = 32.0 * Real::EPSILON;
 
 impl Motion {
@@ -42,12 +38,12 @@ impl Motion {
     /// Returns whether a joint moves at a velocity set by the user.
     fn is_driven(&self) -> bool {
         let is_driven = |(load, rate): (&JointLoad, &Real)| load.is_prescribed() && *rate != 0.0;
-        self.joint_loads.iter().zip(&self.rates).any(is_driven)
+        self.joint_loads.iter().zip(self.rates.iter()).any(is_driven)
     }
 
     /// The velocity of the centre-of-mass frame of the multibody along the free axes of its root, at the last
     /// velocities of the links.
-    fn frame_velocity(&self) -> Vector {
+    pub(super) fn frame_velocity(&self) -> Vector {
         if self.root_dofs() == 0 {
             return linear(&self.root);
         }
@@ -62,47 +58,8 @@ impl Motion {
     }
 
     /// Returns whether a link rotates so far in `dt` seconds that its contacts change.
-    pub fn turns_far(&mut self, dt: Real) -> bool {
-        let turns_far = |v: &SpatialVector| {
-            ang_length_squared(angular(v)) * dt * dt > CONTACT_ANGLE_MAX * CONTACT_ANGLE_MAX
-        };
-        self.has_diverged || self.link_velocities().iter().any(turns_far)
-    }
-
-    /// The kinetic energy before the impulses of a substep, which these may leave; no limit if something
-    /// drives the links.
-    ///
-    /// It is that of the velocities before the first half of the free motion. That half changes the energy in
-    /// the first order of the angle of a substep, and the second half restores it.
-    pub fn energy_before_impulses(&mut self) -> Real {
-        if self.root != ZERO || self.is_driven() {
-            return Real::MAX;
-        }
-        let rates = self.rates_before_free_motion();
-        let energy = self.energy_at(&rates);
-        self.return_buffer(rates);
-        energy
-    }
-
-    /// Returns whether the kinetic energy exceeds a bound by more than rounding.
-    pub fn exceeds(&mut self, energy_max: Real) -> bool {
-        self.kinetic_energy() > energy_max * (1.0 + ROUNDING)
-    }
-
-    /// Limits the kinetic energy that impulses left. An excess above a bound is recorded in a budget, and the
-    /// part beyond the budget is removed. Returns the fraction that is kept.
-    pub fn limit_impulse_energy(
-        &mut self,
-        multibody: &mut Multibody,
-        energy_max: Real,
-        touches: bool,
-    ) -> Real {
-        let energy = self.kinetic_energy();
-        let bound = ERROR_MAX * energy.min(energy_max).max(0.0);
-        let known = multibody.impulse_error.min(bound);
-        let gain = (energy - energy_max).max(0.0).min(bound - known);
-        multibody.impulse_error = if gain.is_finite() { known + gain } else { 0.0 };
-        self.limit_energy(energy_max + gain, touches)
+    pub fn turns_far(&self, dt: Real) -> bool {
+        self.has_diverged || self.fastest_turn * dt > CONTACT_ANGLE_MAX
     }
 
     /// Limits the kinetic energy. Returns the fraction of it that is kept.
@@ -110,7 +67,7 @@ impl Motion {
     /// A small energy gain, or that of joints alone, is removed from the change of shape, so that the
     /// momentum from other bodies is conserved. For a large one all velocities are scaled: scaled velocities
     /// still lead out of all contacts.
-    pub fn limit_energy(&mut self, energy_max: Real, touches: bool) -> Real {
+    pub(super) fn limit_energy(&mut self, energy_max: Real, touches: bool) -> Real {
         let energy = self.kinetic_energy();
         let kept = energy_max.max(0.0) / energy;
         if kept >= 1.0 || !kept.is_finite() {
@@ -130,12 +87,13 @@ impl Motion {
     }
 
     /// The mass of all links.
-    pub fn mass(&self) -> Real {
+    pub(super) fn mass(&self) -> Real {
         self.kinematics.links.iter().map(|link| link.mass).sum()
     }
 
     /// Scales all velocities except prescribed velocities by this fraction.
     fn slow_down(&mut self, fraction: Real) {
+        self.ledger.is_hit = true;
         for (rate, load) in self.rates.iter_mut().zip(&self.joint_loads) {
             *rate *= if load.is_prescribed() { 1.0 } else { fraction };
         }
@@ -175,7 +133,7 @@ impl Motion {
 
     /// Limits the rotation of joints to [`JOINT_ANGLE_MAX`] in `h` seconds by reducing the change of shape.
     pub(super) fn limit_joint_rates(&mut self, h: Real) {
-        let axes = self.kinematics.axes.iter().zip(&self.rates).skip(self.root_dofs());
+        let axes = self.kinematics.axes.iter().zip(self.rates.iter()).skip(self.root_dofs());
         let turns = axes.filter(|(axis, _)| angular(axis) != ANG_ZERO);
         let fastest = turns.map(|(_, rate)| (rate * h).abs()).fold(0.0, Real::max);
         if fastest > JOINT_ANGLE_MAX && fastest < ANGLE_MEANINGFUL_MAX {
@@ -208,7 +166,10 @@ impl Motion {
     fn slow_to_locked(&mut self) {
         let momentum = self.root_momentum();
         self.rates.fill(0.0);
-        add_all(&mut self.rates, self.locked_inertia.rates_at(&momentum), 1.0);
+        let of_root = self.locked_inertia.rates_at(&momentum);
+        for (rate, &axis) in self.rates.iter_mut().zip(&self.kinematics.root_axes) {
+            *rate = of_root[axis];
+        }
     }
 
     /// Leaves a common translation of all links at this velocity.
@@ -225,7 +186,12 @@ impl Motion {
         if speed_max >= Real::MAX {
             return;
         }
-        self.kinematics.velocities(&self.rates, &ZERO, &mut self.velocities);
+        if self.root == ZERO {
+            self.update_velocities();
+        } else {
+            self.rates.touch();
+            self.kinematics.velocities(&self.rates, &ZERO, &mut self.velocities);
+        }
         let fastest = self.velocities.iter().map(|v| speed(linear(v))).fold(0.0, Real::max);
         if fastest > speed_max {
             self.is_limited = true;
@@ -252,7 +218,8 @@ impl Motion {
     /// A copy of the velocities, in a buffer that [`Self::return_buffer`] takes back.
     pub(super) fn copy_of_rates(&mut self) -> Vec<Real> {
         let mut copy = self.buffers.pop().unwrap_or_default();
-        copy.clone_from(&self.rates);
+        copy.clear();
+        copy.extend_from_slice(&self.rates);
         copy
     }
 
@@ -263,7 +230,7 @@ impl Motion {
 
     /// The kinetic energy of all links at the velocities that they had last, seen from a frame with this
     /// velocity.
-    fn energy_seen_from(&self, frame: Vector) -> Real {
+    pub(super) fn energy_seen_from(&self, frame: Vector) -> Real {
         let of = |(link, velocity): (&LinkFrame, &SpatialVector)| {
             let (v, w) = (linear(velocity) - frame, angular(velocity));
             0.5 * (link.mass * v.length_squared() + ang_dot(w, angular_momentum(&link.inertia, w)))
@@ -272,7 +239,7 @@ impl Motion {
         let of_armature = |(load, rate): (&JointLoad, &Real)| {
             if load.is_prescribed() { 0.0 } else { 0.5 * load.armature * rate * rate }
         };
-        of_links + self.joint_loads.iter().zip(&self.rates).map(of_armature).sum::<Real>()
+        of_links + self.joint_loads.iter().zip(self.rates.iter()).map(of_armature).sum::<Real>()
     }
 }
 

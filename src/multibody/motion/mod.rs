@@ -33,11 +33,14 @@
 //! springs that can be followed swing on (2 Hz at 240 substeps a second: 0.5 % in three seconds), and stiff
 //! ones hold.
 //!
-//! Free motion, its non-converged pieces and its energy budget are in `free.rs`, momentum in `centroidal.rs`.
+//! Free motion and its non-converged pieces are in `free.rs`, momentum in `centroidal.rs`, energy in
+//! `ledger.rs`.
 
 mod centroidal;
 mod energy;
 mod free;
+mod ledger;
+mod rates;
 
 use super::factor::{Factor, Resistance};
 use super::kinematics::Kinematics;
@@ -47,6 +50,8 @@ use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::RigidBodySet;
 use crate::model::multibody::{DofLists, Multibody, MultibodyLink};
+use ledger::Ledger;
+use rates::Rates;
 
 /// Constant loads on a link during a step.
 #[derive(Copy, Clone, Debug)]
@@ -84,14 +89,15 @@ pub struct Motion {
     factor: Factor,
     locked_inertia: LockedInertia,
     /// The velocities.
-    pub rates: Vec<Real>,
+    pub rates: Rates,
     pub forces: Vec<LinkForce>,
     pub joint_loads: Vec<JointLoad>,
     /// The velocity of a root without degrees of freedom.
     root: SpatialVector,
     /// Fraction of the substep at which a spring is evaluated: `θ`.
     spring_times: Vec<Real>,
-    /// Inverse articulated inertia of each degree of freedom: descendants free, ancestors locked.
+    /// Inverse articulated inertia of each degree of freedom: descendants free, ancestors locked. The root's
+    /// are all free.
     inv_articulated_inertias: Vec<Real>,
     armature: Vec<Real>,
     drag: Vec<[Real; 2]>,
@@ -99,6 +105,7 @@ pub struct Motion {
     momentum: SpatialVector,
     /// The impulses from outside since then, likewise.
     external_impulse: SpatialVector,
+    /// Those of the links: see [`Self::update_velocities`].
     velocities: Vec<SpatialVector>,
     accelerations: Vec<SpatialVector>,
     wrenches: Vec<SpatialVector>,
@@ -106,17 +113,15 @@ pub struct Motion {
     change: Vec<Real>,
     /// Buffers of functions, kept between steps: a step allocates nothing.
     buffers: Vec<Vec<Real>>,
-    /// The velocities before free motion.
-    start: Vec<Real>,
     /// Whether a link exceeded the velocity limit since the step began.
     pub is_limited: bool,
     /// Velocity changes by the first half of the free motion.
     first_half_change: Vec<Real>,
-    /// The velocities to which it led, with half of the impulses of the last substep.
-    half_rates: Vec<Real>,
-    /// Energy that corrections of the momentum gave outside of free motion, and that the energy budget does
-    /// not include yet.
-    corrected: Real,
+    /// Velocity changes by the second half of the last piece, and its length (s).
+    last_kick: (Vec<Real>, Real),
+    ledger: Ledger,
+    /// The largest angular velocity of a link (rad/s).
+    fastest_turn: Real,
     /// Number of pieces of this substep's free motion.
     pieces: usize,
     /// Whether a piece of this substep's free motion is too fast to be integrated.
@@ -131,19 +136,20 @@ impl Motion {
     /// generalised velocities have, at each degree of freedom, the momentum of the bodies.
     pub fn begin(&mut self, multibody: &Multibody, bodies: &RigidBodySet) {
         self.is_limited = false;
-        self.corrected = 0.0;
+        self.ledger = Ledger::default();
+        self.last_kick.0.clear();
         self.place(multibody);
         let velocity = |link: &MultibodyLink| Some(bodies.get(link.body)?.vels);
         let is_pushed = multibody.links.iter().any(|link| velocity(link) != link.seen_velocity);
         let DofLists { velocities, body_velocities, .. } = &multibody.lists;
-        self.rates.clear();
         let rates = if is_pushed { body_velocities } else { velocities };
-        self.rates.extend(rates.iter().map(|&rate| finite(rate)));
+        self.rates.assign(rates.iter().map(|&rate| finite(rate)));
         self.armature.clear();
         self.armature.extend(self.joint_loads.iter().map(|load| load.armature));
         self.factor.update(&self.kinematics, Resistance { armature: &self.armature, drag: &[] });
         self.inv_articulated_inertias.clear();
-        self.inv_articulated_inertias.extend(self.factor.inv_articulated_inertias());
+        self.inv_articulated_inertias
+            .extend(self.factor.inv_articulated_inertias(&self.kinematics.root_axes));
         let body = |link: &MultibodyLink| bodies.get(link.body);
         self.root = ZERO;
         if let Some(root) = body(&multibody.links[0]).filter(|root| !root.is_dynamic()) {
@@ -176,7 +182,13 @@ impl Motion {
     /// Moves the links to the poses of the coordinates.
     fn place(&mut self, multibody: &Multibody) {
         self.kinematics.update(multibody);
-        self.locked_inertia.update(&self.kinematics);
+        self.locked_inertia = LockedInertia::of(&self.kinematics);
+        self.rates.touch();
+    }
+
+    /// Returns whether the root moves at a velocity set by the user.
+    pub fn is_carried(&self) -> bool {
+        self.root != ZERO
     }
 
     /// Number of degrees of freedom of the root.
@@ -200,6 +212,11 @@ impl Motion {
         self.factor.update(&self.kinematics, resistance);
     }
 
+    /// By degree of freedom: its acceleration by a force of 1 on it, while all others are free.
+    pub fn inverse_inertias(&mut self, inverses: &mut Vec<Real>) {
+        self.factor.inverse_inertias(&self.kinematics, inverses);
+    }
+
     /// Turns impulses on the degrees of freedom into velocities.
     pub fn respond(&mut self, impulses: &mut [Real]) {
         self.factor.solve(&self.kinematics, &[], impulses);
@@ -215,21 +232,23 @@ impl Motion {
         speed_max: Real,
         pushed: &[Real],
     ) {
-        self.corrected += self.keep_momentum(self.kinematics.links[0].center);
+        self.ledger.corrected += self.keep_momentum(self.kinematics.links[0].center);
         let mut change = core::mem::take(&mut self.change);
         self.kick(multibody, h, &mut change);
         add_all(&mut self.rates, &change, 1.0);
         multibody.lists.accelerations.clone_from(&change);
         self.limit_speed(speed_max);
         self.momentum = self.root_momentum();
+        self.open_ledger(h);
+        self.pieces = self.pieces_for(h);
         add_all(&mut self.rates, pushed, 0.5);
         self.begin_free_motion(h, &mut change);
+        add_all(&mut self.rates, pushed, -0.5);
         if self.has_diverged {
             change.fill(0.0);
             self.limit_joint_rates(h);
+            self.open_ledger(h);
         }
-        self.half_rates.clone_from(&self.rates);
-        add_all(&mut self.rates, pushed, -0.5);
         self.first_half_change.clone_from(&change);
         let total = multibody.lists.accelerations.iter_mut().zip(&change);
         total.for_each(|(kick, half)| *kick = if h > 0.0 { (*kick + 2.0 * half) / h } else { 0.0 });
@@ -255,7 +274,7 @@ impl Motion {
         }
         change.clear();
         let joint_loads = self.joint_loads.iter().zip(&self.spring_times);
-        for (((load, time), dof), rate) in joint_loads.zip(&multibody.dofs).zip(&self.rates) {
+        for (((load, time), dof), rate) in joint_loads.zip(&multibody.dofs).zip(self.rates.iter()) {
             let is_idle = load.stiffness == 0.0;
             let joint = &multibody.links[dof.link].joint;
             let q = if is_idle { 0.0 } else { joint.coordinate(dof.axis) };
@@ -265,11 +284,17 @@ impl Motion {
         self.factor.solve(&self.kinematics, &self.wrenches, change);
     }
 
-    /// Ends the step. The energy of the last momentum correction is taken from the change of shape.
-    pub fn finish(&mut self) {
-        let energy = self.free_motion_energy();
-        if self.keep_momentum(self.kinematics.links[0].center) > 0.0 {
-            self.limit_free_energy(energy);
+    /// Ends the step. The last correction of the momentum adds no energy.
+    pub fn finish(&mut self, touches: bool) {
+        let (energy, of_free_motion) = (self.kinetic_energy(), self.free_motion_energy());
+        let gain = self.keep_momentum(self.kinematics.links[0].center);
+        if gain <= 0.0 || of_free_motion.is_none() {
+            return;
+        }
+        if self.ledger.is_hit {
+            self.limit_energy(energy, touches);
+        } else {
+            self.limit_free_energy(of_free_motion);
         }
     }
 
@@ -279,12 +304,16 @@ impl Motion {
         &self.velocities
     }
 
+    /// Computes the velocities of the links, unless they are those of the present rates and poses.
     fn update_velocities(&mut self) {
-        self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+        if self.rates.take_change() {
+            self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+        }
     }
 
     /// The velocities of all links at these rates, without the motion of the root.
     pub fn link_velocities_at(&mut self, rates: &[Real]) -> &[SpatialVector] {
+        self.rates.touch();
         self.kinematics.velocities(rates, &ZERO, &mut self.velocities);
         &self.velocities
     }

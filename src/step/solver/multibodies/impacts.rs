@@ -156,8 +156,9 @@ impl SolverMultibodies {
         }
         // Inertial terms are evaluated at the configuration of the impact.
         let before_free_motion = |moving: &mut Moving| {
-            let before = moving.motion.rates_before_free_motion();
-            core::mem::replace(&mut moving.motion.rates, before)
+            let mut before = moving.motion.rates_before_free_motion();
+            moving.motion.rates.swap_with_slice(&mut before);
+            before
         };
         let rates_before: Vec<_> = states.multibodies.iter_mut().map(before_free_motion).collect();
         for point in contacts.bouncing().flat_map(|contact| &mut contact.points) {
@@ -165,8 +166,8 @@ impl SolverMultibodies {
                 jacobians.velocity(&point.normal, &states) - point.impact.last;
         }
         for (moving, rates) in states.multibodies.iter_mut().zip(rates_before) {
-            let before = core::mem::replace(&mut moving.motion.rates, rates);
-            moving.motion.return_buffer(before);
+            moving.motion.rates.copy_from_slice(&rates);
+            moving.motion.return_buffer(rates);
         }
     }
 
@@ -302,7 +303,8 @@ impl SolverMultibodies {
     pub fn begin_round(&mut self) {
         for moving in &mut self.moving {
             let BeforeImpact { rates, external_impulse, .. } = &mut moving.before_impact;
-            rates.clone_from(&moving.motion.rates);
+            rates.clear();
+            rates.extend_from_slice(&moving.motion.rates);
             *external_impulse = moving.motion.external_impulse();
         }
     }
@@ -397,7 +399,7 @@ impl Moving {
 
     /// Goes to where the links are after `time` seconds of a substep of `h` seconds.
     fn move_on(&mut self, time: Real, h: Real) {
-        let rates = self.motion.rates.clone();
+        let rates = self.motion.rates.to_vec();
         self.displace(&rates, time);
         self.motion.resist(h);
         self.motion.undo_inertial_kick(self.motion.middle(h) - time);
@@ -408,7 +410,7 @@ impl Moving {
     fn accept_impact(&mut self, h: Real, fraction: Real) {
         let ahead = self.before_impact.ahead.take();
         let BeforeImpact { rates: before, external_impulse, .. } = &self.before_impact;
-        if *before != self.motion.rates {
+        if **before != *self.motion.rates {
             let energy = self.motion.energy_at(before);
             for (rate, old) in self.motion.rates.iter_mut().zip(before) {
                 *rate = *old + (*rate - *old) * fraction;
@@ -418,22 +420,17 @@ impl Moving {
         }
         if let Some(time) = ahead {
             self.motion.implicit_inertial_kick(self.motion.middle(h) - time);
-            let rates = self.motion.rates.clone();
+            let rates = self.motion.rates.to_vec();
             self.displace(&rates, -time);
         }
     }
 
-    /// Changes the energy limit of impulses by the energy change of a round since `before`, at the time of
-    /// the impact. Fixed bodies add no energy. Links that turn far may have another energy there; then the
-    /// fraction counts.
+    /// Notes the energy that a round has added since `before`, at the time of the impact. Fixed bodies add no
+    /// energy.
     fn note_impulse_energy(&mut self, before: Real) {
-        let change = self.motion.kinetic_energy() - before;
         let may_gain = core::mem::take(&mut self.before_impact.may_gain);
-        if change > 0.0 {
-            self.energy += if may_gain { change } else { 0.0 };
-        } else {
-            let fraction = self.energy / before;
-            self.energy += change * if fraction < 1.0 { fraction } else { 1.0 };
+        if may_gain {
+            self.work += (self.motion.kinetic_energy() - before).max(0.0);
         }
     }
 

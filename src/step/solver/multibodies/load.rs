@@ -5,7 +5,7 @@ use crate::dim::math::{Real, Vector};
 use crate::dim::spatial::join;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::island::NONE;
-use crate::model::joint::{GenericJoint, JointMotor, MotorModel};
+use crate::model::joint::{GenericJoint, MotorModel};
 use crate::model::multibody::{LinkTravel, Multibody, MultibodyJointSet};
 use crate::multibody::{JointLoad, LinkForce, usable};
 use crate::step::solver::links::Links;
@@ -148,35 +148,32 @@ impl Moving {
         }
     }
 
-    /// Motors without a largest force are dampers and springs like others.
+    /// Motors without a largest force are dampers and springs like others. Those of the acceleration-based
+    /// model act against the inertia that they move if all other joints are free.
     fn add_motors(&mut self) {
-        for position in 0..self.multibody.dofs.len() {
-            let dof = self.multibody.dofs[position];
-            let joint = &self.multibody.links[dof.link].joint;
+        let Self { multibody, motion, pushed: inverses, .. } = self;
+        // No impulse has been applied yet, so their list is free.
+        inverses.clear();
+        for (position, dof) in multibody.dofs.iter().enumerate() {
+            let joint = &multibody.links[dof.link].joint;
             let motor = joint.data.motor(dof.axis).filter(|motor| motor.max_force >= Real::MAX);
             let Some(&motor) = motor.filter(|_| dof.link != 0 && !joint.kinematic) else {
                 continue;
             };
-            let inertia = self.inertia_against(position, &motor);
+            let inertia = match motor.model {
+                MotorModel::ForceBased => 1.0,
+                MotorModel::AccelerationBased => {
+                    if inverses.is_empty() {
+                        motion.inverse_inertias(inverses);
+                    }
+                    if inverses[position] > 0.0 { 1.0 / inverses[position] } else { 0.0 }
+                }
+            };
             let (stiffness, damping) = (motor.stiffness * inertia, motor.damping * inertia);
-            let load = &mut self.motion.joint_loads[position];
+            let load = &mut motion.joint_loads[position];
             load.stiffness += stiffness;
             load.damping += damping;
             load.pull += stiffness * motor.target_pos + damping * motor.target_vel;
         }
-    }
-
-    /// The factor on a motor's stiffness and damping: the inertia that it moves if all other joints are free.
-    fn inertia_against(&mut self, dof: usize, motor: &JointMotor) -> Real {
-        if motor.model == MotorModel::ForceBased {
-            return 1.0;
-        }
-        // No impulse has been applied yet, so the list is free for a unit impulse.
-        let Self { pushed: unit, motion, .. } = self;
-        unit.clear();
-        unit.resize(motion.rates.len(), 0.0);
-        unit[dof] = 1.0;
-        motion.respond(unit);
-        if unit[dof] > 0.0 { 1.0 / unit[dof] } else { 0.0 }
     }
 }

@@ -42,9 +42,6 @@ use system::RowSystem;
 /// Number of multibodies per parallel task (some ten microseconds).
 const MULTIBODIES_PER_TASK: usize = 2;
 
-/// While overlap is corrected, links may have this multiple of the energy that they may keep.
-const PUSH_ENERGY_MAX: Real = 2.0;
-
 /// A multibody that is awake. It is moved out of its set while the solver runs.
 #[derive(Debug, Default)]
 pub(super) struct Moving {
@@ -69,13 +66,12 @@ pub(super) struct Moving {
     /// Whether links rotate so far in a step that contacts must be updated in each substep. Without contacts
     /// there is no update: free motion conserves momentum.
     turns_far: bool,
-    /// The kinetic energy that the impulses of this substep may leave.
-    energy: Real,
-    /// The same before the work of a push was added, which counts for the push alone.
-    energy_without_push: Real,
-    /// Whether the kinetic energy exceeds the limit.
+    /// The energy that impacts have added in this substep, and the work of what drives the links: see
+    /// [`SolverMultibodies::add_work`].
+    work: Real,
+    /// Whether the balance of its energy exceeds the bound.
     has_gained: bool,
-    /// The fraction of the energy, and of the impulses that made too much of it, that is kept.
+    /// The fraction of the impulses with which the next substep starts.
     kept: Real,
     /// The joints and the root's pose when the step began.
     start: (Vec<MultibodyJoint>, Pose),
@@ -189,7 +185,8 @@ impl SolverMultibodies {
         for_each(&mut self.moving, pass.tasks, |moving| {
             moving.pushed.iter_mut().for_each(|pushed| *pushed *= warm_start_coefficient);
             moving.motion.accelerate(&mut moving.multibody, substep, speed_max, &moving.pushed);
-            moving.measure(params.dt);
+            moving.turns_far = moving.touches && moving.motion.turns_far(params.dt);
+            moving.work = 0.0;
             moving.add_pushed(1.0);
             moving.root_pushed.iter_mut().for_each(|impulse| *impulse *= warm_start_coefficient);
             moving.motion.note_external_impulse(&moving.root_pushed, 1.0);
@@ -220,7 +217,6 @@ impl SolverMultibodies {
             return;
         }
         self.iterate(bodies, pass, true);
-        self.limit_push(&mut bodies.states, pass.contacts.push_velocity_max);
     }
 
     /// Solves all constraints once, without bias and with friction.
@@ -243,36 +239,13 @@ impl SolverMultibodies {
     /// Removes the energy that the impulses of a substep added to multibodies. The work of motors, loop
     /// joints, moving bodies and moving surfaces is excluded.
     fn limit_energy(&mut self, states: &mut [BodyState]) {
+        self.add_work(states);
         for moving in &mut self.moving {
-            moving.has_gained = moving.motion.exceeds(moving.energy);
+            moving.has_gained = !moving.settle();
         }
         if self.moving.iter().any(|moving| moving.has_gained) {
-            self.add_work(states);
-            self.moving.iter_mut().for_each(Moving::limit_energy);
+            self.moving.iter_mut().for_each(Moving::remove_excess);
             self.scale_impulses(|moving| moving.kept);
-        }
-    }
-
-    /// Limits the energy with which the links move while overlap is corrected. The impulses of the last
-    /// substep, which act again in this one, may be wrong by any factor where links have turned far.
-    fn limit_push(&mut self, states: &mut [BodyState], speed_max: Real) {
-        let most = |moving: &Moving| {
-            let push = 0.5 * moving.motion.mass() * speed_max * speed_max;
-            PUSH_ENERGY_MAX * moving.energy + push
-        };
-        for moving in &mut self.moving {
-            let energy_max = most(moving);
-            moving.has_gained = moving.motion.exceeds(energy_max);
-        }
-        if self.moving.iter().any(|moving| moving.has_gained) {
-            self.moving.iter_mut().for_each(|moving| moving.energy_without_push = moving.energy);
-            self.add_work(states);
-            for moving in &mut self.moving {
-                if moving.has_gained {
-                    moving.motion.limit_energy(most(moving), moving.touches);
-                }
-                moving.energy = moving.energy_without_push;
-            }
         }
     }
 
@@ -286,8 +259,7 @@ impl SolverMultibodies {
         contacts.scale_impulses(|row| row.least_of(moving, &factor));
     }
 
-    /// Adds the work of motors and other joints, and of bodies and surfaces that push links, to the energy
-    /// limit of a substep.
+    /// Adds the work of motors and other joints, and of bodies and surfaces that push links.
     fn add_work(&mut self, states: &mut [BodyState]) {
         let Self { jacobians, joints, loops, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states };
@@ -322,19 +294,19 @@ impl SolverMultibodies {
 }
 
 impl Moving {
-    /// Finds multibodies whose links rotate far in a step of `dt` seconds, so that contact rows must be
-    /// updated, and their energy before impulses.
-    fn measure(&mut self, dt: Real) {
-        self.turns_far = self.touches && self.motion.turns_far(dt);
-        self.energy = self.motion.energy_before_impulses();
+    /// Adds the energy gain of the substep to the balance. Returns whether that stays within its bound.
+    fn settle(&mut self) -> bool {
+        let is_pushed = self.pushed.iter().any(|&rate| rate != 0.0);
+        // Contacts do work on links that a root carries along.
+        let is_exempt = self.touches && self.motion.is_carried();
+        is_exempt || self.motion.settle(&mut self.multibody, is_pushed, self.work)
     }
 
     /// Removes the energy that impulses gave. The impulses that did will be less in the next substep.
-    fn limit_energy(&mut self) {
+    fn remove_excess(&mut self) {
         self.kept = 1.0;
         if self.has_gained {
-            let Self { motion, multibody, energy, touches, .. } = self;
-            self.kept = motion.limit_impulse_energy(multibody, *energy, *touches);
+            self.kept = self.motion.remove_excess(self.touches);
             self.pushed.iter_mut().for_each(|rate| *rate *= self.kept);
             self.root_pushed.iter_mut().for_each(|impulse| *impulse *= self.kept);
         }
@@ -349,15 +321,12 @@ impl Moving {
 
     fn advance(&mut self, h: Real, speed_max: Real) {
         let Self { motion, multibody, shift, travel, .. } = self;
-        let change = motion.advance(multibody, h, speed_max, |motion, piece| {
-            for (shift, rate) in shift.iter_mut().zip(&motion.rates) {
+        motion.advance(multibody, h, speed_max, |motion, piece| {
+            for (shift, rate) in shift.iter_mut().zip(motion.rates.iter()) {
                 *shift += rate * piece;
             }
             store::note_travel(travel, motion.link_velocities(), piece);
         });
-        // The energy loss of free motion may be energy that impulses added before.
-        let least = self.energy.min(motion.kinetic_energy());
-        self.energy = (self.energy + change).max(least);
         self.turns_far |= self.touches && motion.has_diverged;
     }
 }

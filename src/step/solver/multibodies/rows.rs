@@ -203,17 +203,17 @@ impl JacobianPool {
         with(&first.parts[0]) + with(&first.parts[1])
     }
 
-    /// Adds the work that an impulse does on multibodies to the energy that contacts may leave them.
+    /// Adds the work that an impulse does on multibodies to their [work](Moving::work).
     pub fn note_work(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
         for part in &row.parts {
             let Part::Links { multibody, .. } = part else { continue };
             let work = impulse * self.rate(part, states);
-            states.multibodies[*multibody].energy += work.max(0.0);
+            states.multibodies[*multibody].work += work.max(0.0);
         }
     }
 
-    /// Adds the work of the other side on a link to the energy limit of contacts. The other side, or the belt
-    /// on it, keeps its velocity, and the link moves at least as fast.
+    /// Adds the work of the other side on a link. The other side, or the belt on it, keeps its velocity, and
+    /// the link moves at least as fast.
     pub fn note_shove(
         &self,
         row: &Row,
@@ -225,7 +225,7 @@ impl JacobianPool {
         for (link, other) in [(first, second), (second, first)] {
             let Part::Links { multibody, is_movable: true, .. } = link else { continue };
             let work = impulse * (surface - self.rate(other, states));
-            states.multibodies[*multibody].energy += work.max(0.0);
+            states.multibodies[*multibody].work += work.max(0.0);
         }
     }
 
@@ -282,6 +282,7 @@ impl JacobianPool {
         self.each_response(row, impulse, states, |moving, jacobian, response| {
             add(&mut moving.motion.rates, response, impulse);
             moving.motion.note_external_impulse(&jacobian[..moving.root_pushed.len()], impulse);
+            moving.motion.note_impact();
         });
     }
 

@@ -33,7 +33,7 @@ impl SolverMultibodies {
     pub fn finish(&mut self, diverged: &mut Vec<Diverged>, h: Real) -> bool {
         let mut is_moderate = true;
         for moving in &mut self.moving {
-            moving.motion.finish();
+            moving.motion.finish(moving.touches);
             if !moving.is_sound() {
                 diverged.extend(moving.first_diverged());
             }

@@ -14,6 +14,7 @@
 //! their largest force. The pieces are found as for impulse joints: see `../axis_law.rs`.
 
 use super::rows::{ConstrainedStates, JacobianPool, Row};
+use crate::base::symmetric;
 use crate::dim::math::Real;
 use crate::step::solver::axis_law::{AxisLaw, Equation, Piece};
 
@@ -29,8 +30,6 @@ const LOOP_ROWS_MAX: usize = 120;
 const ROWS_MAX: usize = 240;
 /// A limit beyond this rate is not reached in the substep: its last impulse was that of another limit.
 const FAR_RATE: f64 = 1.0e6;
-/// A pivot below this fraction of the row's diagonal element is rounding: the row is redundant.
-const PIVOT_MIN: f64 = 64.0 * Real::EPSILON as f64;
 
 /// A row in the system.
 #[derive(Clone, Debug)]
@@ -215,7 +214,8 @@ impl RowSystem {
             x.push(missing);
             active.push(position);
         }
-        solve_symmetric(matrix, x);
+        symmetric::factorize(matrix, x.len());
+        symmetric::solve(matrix, x);
         for (&position, &change) in active.iter().zip(&*x) {
             rows[position].push(change, jacobians, states);
         }
@@ -242,36 +242,5 @@ impl RowSystem {
             }
         }
         any
-    }
-}
-
-/// Solves `A x = b` in place for the lower half of a symmetric matrix, row after row, by `A = L D Lᵀ`.
-/// Redundant rows get 0.
-fn solve_symmetric(a: &mut [f64], x: &mut [f64]) {
-    let start = |row: usize| row * (row + 1) / 2;
-    for i in 0..x.len() {
-        let own = a[start(i) + i];
-        for j in 0..i {
-            for m in 0..j {
-                a[start(i) + j] -= a[start(i) + m] * a[start(j) + m];
-            }
-        }
-        // The row holds `L D` so far. `D` is stored inverted.
-        let mut pivot = own;
-        for j in 0..i {
-            let unscaled = a[start(i) + j];
-            a[start(i) + j] *= a[start(j) + j];
-            pivot -= unscaled * a[start(i) + j];
-        }
-        a[start(i) + i] = if pivot > PIVOT_MIN * own { 1.0 / pivot } else { 0.0 };
-        for j in 0..i {
-            x[i] -= a[start(i) + j] * x[j];
-        }
-    }
-    for i in (0..x.len()).rev() {
-        x[i] *= a[start(i) + i];
-        for k in i + 1..x.len() {
-            x[i] -= a[start(k) + i] * x[k];
-        }
     }
 }
