@@ -8,13 +8,12 @@ use parry::math::Real;
 const PIVOT_MIN: f64 = 64.0 * Real::EPSILON as f64;
 
 /// Where a row of the list begins.
-pub fn row_start(row: usize) -> usize {
+fn start(row: usize) -> usize {
     row * (row + 1) / 2
 }
 
 /// Replaces a matrix of this size by `L`, with the inverse of `D` on the diagonal: 0 for redundant rows.
 pub fn factorize(a: &mut [f64], size: usize) {
-    let start = row_start;
     for i in 0..size {
         let own = a[start(i) + i];
         for j in 0..i {
@@ -35,7 +34,6 @@ pub fn factorize(a: &mut [f64], size: usize) {
 
 /// Solves `A x = b` in place with the factors of `A`. Components of redundant rows are 0.
 pub fn solve(factors: &[f64], x: &mut [f64]) {
-    let start = row_start;
     for i in 0..x.len() {
         for j in 0..i {
             x[i] -= factors[start(i) + j] * x[j];

@@ -29,8 +29,8 @@ const ROUNDS: usize = 6;
 /// A pivot of the inertia below this fraction of its diagonal element is rounding.
 const PIVOT_MIN: Real = 64.0 * Real::EPSILON;
 
-/// See the [module](self). Momenta are about the root's centre of mass, and rates those of the root; both
-/// have numbers along the free axes of the root alone.
+/// See the [module](self). Momenta are about the root's centre of mass, and rates those of the root: zero
+/// along its locked axes.
 #[derive(Clone, Debug, Default)]
 pub struct LockedInertia {
     matrix: SpatialMatrix,
@@ -66,7 +66,6 @@ impl LockedInertia {
         for &axis in &kinematics.root_axes {
             locked.is_free[axis] = true;
         }
-        locked.matrix.keep(&locked.is_free);
         // About the common centre of mass: the sum of moments of inertia about all axes loses twice `m r²`
         // in 3D, and once in 2D.
         let of_root = (DIM - 1) as Real * moment.length_squared() / mass;

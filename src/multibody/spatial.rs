@@ -139,15 +139,6 @@ impl SpatialMatrix {
         }
     }
 
-    /// Sets the rows and columns of all other axes to zero.
-    pub fn keep(&mut self, axes: &[bool; SPATIAL_DIM]) {
-        for (j, column) in self.0.iter_mut().enumerate() {
-            for (entry, keeps) in column.iter_mut().zip(axes) {
-                *entry = if *keeps && axes[j] { *entry } else { 0.0 };
-            }
-        }
-    }
-
     /// The inverse of a matrix without negative eigenvalues. Where the pivot of an axis is not above the
     /// least one, or is infinite, the axis is left out: the inverse has zeros there.
     ///

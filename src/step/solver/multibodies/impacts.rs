@@ -409,28 +409,23 @@ impl Moving {
     /// Ends a round of a substep of `h` seconds.
     fn accept_impact(&mut self, h: Real, fraction: Real) {
         let ahead = self.before_impact.ahead.take();
-        let BeforeImpact { rates: before, external_impulse, .. } = &self.before_impact;
+        let BeforeImpact { rates: before, external_impulse, may_gain, .. } = &self.before_impact;
         if **before != *self.motion.rates {
-            let energy = self.motion.energy_at(before);
+            // Fixed bodies add no energy.
+            let energy = may_gain.then(|| self.motion.energy_at(before));
             for (rate, old) in self.motion.rates.iter_mut().zip(before) {
                 *rate = *old + (*rate - *old) * fraction;
             }
             self.motion.scale_external_impulse(external_impulse, fraction);
-            self.note_impulse_energy(energy);
+            if let Some(energy) = energy {
+                self.work += (self.motion.kinetic_energy() - energy).max(0.0);
+            }
+            self.before_impact.may_gain = false;
         }
         if let Some(time) = ahead {
             self.motion.implicit_inertial_kick(self.motion.middle(h) - time);
             let rates = self.motion.rates.to_vec();
             self.displace(&rates, -time);
-        }
-    }
-
-    /// Notes the energy that a round has added since `before`, at the time of the impact. Fixed bodies add no
-    /// energy.
-    fn note_impulse_energy(&mut self, before: Real) {
-        let may_gain = core::mem::take(&mut self.before_impact.may_gain);
-        if may_gain {
-            self.work += (self.motion.kinetic_energy() - before).max(0.0);
         }
     }
 
