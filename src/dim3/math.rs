@@ -116,14 +116,24 @@ pub fn mul_inertia(inv_inertia: &AngularInertia, torque: AngVector) -> AngVector
     inv_inertia.mul_vec(torque)
 }
 
-/// The inertia of which this is the inverse; zero if an axis is locked.
+/// The inertia of which this is the inverse; zero about locked axes.
 pub fn inertia_of(inv_inertia: &AngularInertia) -> AngularInertia {
     // The determinant of the inverse itself might overflow.
-    let trace = inv_inertia.m11 + inv_inertia.m22 + inv_inertia.m33;
-    let scale = 1.0 / trace;
-    let (inverse, i) = ((*inv_inertia * scale).inverse_unchecked() * scale, inv_inertia);
-    let is_valid = i.m11 > 0.0 && i.m22 > 0.0 && i.m33 > 0.0 && inverse.m11.is_finite();
-    if is_valid { inverse } else { zero_inertia() }
+    let scale = 1.0 / (inv_inertia.m11 + inv_inertia.m22 + inv_inertia.m33);
+    let mut inverse = *inv_inertia * scale;
+    let locked = [inverse.m11, inverse.m22, inverse.m33].map(|moment| moment <= 0.0);
+    let set_locked = |inertia: &mut AngularInertia, moment: Real| {
+        for (own, is_locked) in
+            [&mut inertia.m11, &mut inertia.m22, &mut inertia.m33].into_iter().zip(locked)
+        {
+            *own = if is_locked { moment } else { *own };
+        }
+    };
+    set_locked(&mut inverse, 1.0);
+    let mut inertia = inverse.inverse_unchecked() * scale;
+    set_locked(&mut inertia, 0.0);
+    let is_valid = inertia.m11.is_finite() && inertia.m22.is_finite() && inertia.m33.is_finite();
+    if is_valid { inertia } else { zero_inertia() }
 }
 
 /// The inertia of a body that no torque can rotate.

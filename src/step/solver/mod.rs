@@ -29,9 +29,9 @@ mod impacts;
 mod island_sums;
 mod joint_rules;
 mod joints;
+mod ledger;
 mod links;
 mod multibodies;
-mod recovery;
 mod restitution;
 mod stacks;
 mod states;
@@ -48,9 +48,9 @@ pub(crate) use context::{SolverContext, SolverSettings};
 use groups::Groups;
 use impacts::{ImpactContext, Impacts};
 use joints::{JointLoadContext, SolverJoints};
+use ledger::{Entry, Ledger};
 use links::Links;
 use multibodies::SolverMultibodies;
-use recovery::Recovery;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
@@ -69,7 +69,7 @@ struct Constraints {
     contacts: SolverContacts,
     multibodies: SolverMultibodies,
     impacts: Impacts,
-    recovery: Recovery,
+    ledger: Ledger,
 }
 
 /// Solves one step for all awake bodies.
@@ -129,7 +129,7 @@ impl SolverScratch {
         constraints.load(is_only_group, bodies, links, context, &pass);
         let input = context.input();
         constraints.prepare(input, bodies, &pass);
-        constraints.record_energy(members, links, input.world, bodies, &pass);
+        constraints.open_ledger(members, links, input.world, bodies, &pass);
         counters.velocity_assembly_time.pause();
 
         counters.velocity_resolution_time.resume();
@@ -245,14 +245,18 @@ impl Constraints {
         for substep in 0..substeps {
             let slowed = self.begin_substep(substep == 0, input, bodies, pass);
             limited = limited.max(slowed);
-            let Self { joints, contacts, multibodies, impacts, recovery } = self;
+            let Self { joints, contacts, multibodies, impacts, .. } = self;
             let context = ImpactContext { joints, multibodies, input, pass };
             impacts.solve(contacts, bodies, context);
+            self.enter(Entry::Start, bodies, pass);
+            let Self { joints, contacts, multibodies, .. } = self;
             for _ in 0..pass.params.num_internal_pgs_iterations {
                 joints.solve(bodies, pass);
                 contacts.solve(bodies, pass);
                 multibodies.solve(bodies, pass);
             }
+            self.enter(Entry::Correction, bodies, pass);
+            let Self { joints, contacts, multibodies, .. } = self;
             bodies.integrate_positions(pass);
             joints.correct_poses(bodies, pass.substep);
             multibodies.integrate_positions(input, bodies, pass);
@@ -263,7 +267,7 @@ impl Constraints {
                 contacts.relax(bodies, &pass);
                 multibodies.relax(bodies, &pass);
             }
-            contacts.return_gains(recovery, bodies);
+            self.enter(Entry::End, bodies, pass);
         }
         limited
     }
@@ -287,8 +291,17 @@ impl Constraints {
         limited
     }
 
-    /// Starts to record the energy of islands with deep overlap, except those that something drives.
-    fn record_energy(
+    /// Makes an entry in the ledger of energy, and takes back the impulses that exceed it.
+    fn enter(&mut self, entry: Entry, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        let Self { joints, contacts, ledger, .. } = self;
+        if ledger.enter(entry, bodies, pass) {
+            joints.limit(ledger, bodies);
+            contacts.limit(ledger, bodies);
+        }
+    }
+
+    /// Opens the accounts of islands whose energy the impulses of this step must not increase.
+    fn open_ledger(
         &mut self,
         members: &[RigidBodyHandle],
         links: &Links,
@@ -296,12 +309,17 @@ impl Constraints {
         bodies: &SolverBodies,
         pass: &SolverPass<'_>,
     ) {
-        let Self { joints, contacts, recovery, .. } = self;
-        if contacts.note_deep_overlaps(recovery, bodies, pass) {
-            let of_links = members.iter().filter(|body| links.moves(body.into_raw_parts().0));
-            let of_links = of_links.map(|&link| world[link].link.island);
-            joints.islands(bodies).chain(of_links).for_each(|island| recovery.leave_out(island));
+        let Self { joints, contacts, ledger, .. } = self;
+        ledger.clear();
+        if joints.len() == 0 && !contacts.has_deep_overlap() {
+            return;
         }
+        ledger.begin(bodies);
+        joints.note_in(ledger, bodies);
+        contacts.note_in(ledger, bodies, pass);
+        let of_links = members.iter().filter(|body| links.moves(body.into_raw_parts().0));
+        of_links.for_each(|&link| ledger.leave_out(world[link].link.island));
+        ledger.open(bodies);
     }
 
     /// Stores impulses of contacts and joints, and breaks overloaded joints.

@@ -10,7 +10,7 @@ mod store_impulses;
 use super::blocks::{Layout, OverflowOrder, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
 use super::context::{ImpulseOutput, SolverPass, SolverSettings};
-use super::recovery::{Recovery, deep_overlap};
+use super::ledger::{Ledger, deep_overlap};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Wide};
@@ -102,23 +102,19 @@ impl SolverContacts {
         self.has_deep_overlap = has_deep_overlap.into_inner();
     }
 
-    /// Notes the islands in which overlap is deep, if there are any. Returns whether there may be.
-    pub fn note_deep_overlaps(
-        &self,
-        recovery: &mut Recovery,
-        bodies: &SolverBodies,
-        pass: &SolverPass<'_>,
-    ) -> bool {
-        recovery.clear();
-        if self.has_deep_overlap {
-            recovery.begin(bodies);
-            let deep = deep_overlap(&pass.contacts);
-            // Blocks beyond the colour's count keep the data of an earlier step.
-            for index in self.layout.colors().iter().flat_map(Clone::clone) {
-                recovery.note(&self.blocks[index], &self.lanes.blocks[index].input, deep, bodies);
-            }
-        }
+    /// Returns whether any overlap is deep.
+    pub fn has_deep_overlap(&self) -> bool {
         self.has_deep_overlap
+    }
+
+    /// Notes deep overlaps and driven contacts.
+    pub fn note_in(&self, ledger: &mut Ledger, bodies: &SolverBodies, pass: &SolverPass<'_>) {
+        let deep = deep_overlap(&pass.contacts);
+        // Blocks beyond the colour's count keep the data of an earlier step.
+        for index in self.layout.colors().iter().flat_map(Clone::clone) {
+            let (block, input) = (&self.blocks[index], &self.lanes.blocks[index].input);
+            ledger.note_contacts(block, input, deep, bodies);
+        }
     }
 
     /// Gives the contacts of uneven bodies their inertias anew, after a substep.
@@ -146,15 +142,12 @@ impl SolverContacts {
         }
     }
 
-    /// Removes the energy that the correction of overlap added to bodies, and the corresponding impulses.
-    pub fn return_gains(&mut self, recovery: &mut Recovery, bodies: &mut SolverBodies) {
-        if !recovery.limit(bodies) {
-            return;
-        }
+    /// Leaves all islands the fractions of their impulses that they keep.
+    pub fn limit(&mut self, ledger: &Ledger, bodies: &SolverBodies) {
         // Blocks that no colour fills name bodies of an earlier step.
         for index in self.layout.colors().iter().flat_map(Clone::clone) {
             let block = &mut self.blocks[index];
-            if let Some(factors) = recovery.kept_by(block) {
+            if let Some(factors) = ledger.kept_by(&block.bodies, bodies) {
                 block.scale_impulses(&factors);
                 self.coulomb.get_mut(index).into_iter().for_each(|it| it.scale_impulses(&factors));
             }

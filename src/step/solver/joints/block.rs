@@ -116,10 +116,10 @@ impl JointBlock {
     }
 
     /// Scales the impulses with which the next substep starts.
-    pub fn scale_impulses(&mut self, factor: Real) {
-        self.impulses.iter_mut().for_each(|impulse| scale(impulse, factor));
+    pub fn scale_impulses(&mut self, factors: &Lane) {
+        self.impulses.iter_mut().for_each(|impulse| scale(impulse, factors));
         let Wrench { linear, angular } = &mut self.applied;
-        for lane in 0..LANES {
+        for (lane, factor) in factors.0.into_iter().enumerate() {
             linear.set_lane(lane, linear.lane(lane) * factor);
             for value in angular.iter_mut().chain(&mut self.angvel_change) {
                 set_ang_lane(value, lane, ang_lane(value, lane) * factor);
@@ -170,6 +170,13 @@ pub(super) struct MotorRow {
     pub is_alone: Lane,
 }
 
+impl MotorRow {
+    /// Returns whether it may do work: a damper that stops its axis does none.
+    pub fn drives(&self, lane: usize) -> bool {
+        self.stiffness.0[lane] > 0.0 || self.damping.0[lane] * self.target_vel.0[lane] != 0.0
+    }
+}
+
 impl AxisRow {
     /// No axis in any lane.
     pub const EMPTY: Self = {
@@ -200,15 +207,15 @@ impl AxisRow {
     };
 
     /// Scales the impulses with which the next substep starts.
-    pub fn scale_impulses(&mut self, factor: Real) {
+    pub fn scale_impulses(&mut self, factors: &Lane) {
         for impulse in [&mut self.motor.impulse, &mut self.lower, &mut self.upper] {
-            scale(impulse, factor);
+            scale(impulse, factors);
         }
     }
 }
 
-fn scale(lane: &mut Lane, factor: Real) {
-    lane.0.iter_mut().for_each(|value| *value *= factor);
+fn scale(lane: &mut Lane, factors: &Lane) {
+    lane.0.iter_mut().zip(factors.0).for_each(|(value, factor)| *value *= factor);
 }
 
 const _: () = assert!(ANG_DIM + DIM == SPATIAL_DIM);

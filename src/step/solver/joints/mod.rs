@@ -78,9 +78,10 @@ use super::blocks::{Layout, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
 use super::context::SolverPass;
 use super::impact_time::ImpactTime;
+use super::ledger::{Ledger, is_carried};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::base::wide::Simd;
+use crate::base::wide::{LANES, Lane, Simd};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::params::JointPass;
@@ -191,10 +192,41 @@ impl SolverJoints {
         });
         let factor = pass.params.warmstart_coefficient;
         if factor != 1.0 {
-            self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
-            self.rows.iter_mut().for_each(|row| row.scale_impulses(factor));
-            self.point_to_point.scale_impulses(factor);
-            self.transmissions.scale_impulses(factor);
+            self.scale_impulses(|_| Some(Lane::splat(factor)));
+        }
+    }
+
+    /// Leaves all islands the fractions of their impulses that they keep.
+    pub fn limit(&mut self, ledger: &Ledger, bodies: &SolverBodies) {
+        self.scale_impulses(|pairs| ledger.kept_by(pairs, bodies));
+    }
+
+    /// Scales impulses by the fraction, if any, that the constraints of a block of bodies keep.
+    fn scale_impulses(&mut self, kept_by: impl Fn(&[[u32; LANES]; 2]) -> Option<Lane>) {
+        let Self { blocks, rows, point_to_point, transmissions, .. } = self;
+        for block in &mut *blocks {
+            if let Some(factors) = kept_by(&block.bodies) {
+                block.scale_impulses(&factors);
+                rows[block.axis_rows()].iter_mut().for_each(|row| row.scale_impulses(&factors));
+            }
+        }
+        point_to_point.scale_impulses(&kept_by);
+        transmissions.scale_impulses(blocks, kept_by);
+    }
+
+    /// Notes the islands of all joints, and what drives them.
+    pub fn note_in(&self, ledger: &mut Ledger, bodies: &SolverBodies) {
+        for member in &self.members {
+            ledger.note_joint(bodies.island_of(member.bodies), is_carried(member.bodies, bodies));
+        }
+        for block in &self.blocks {
+            let rows = &self.rows[block.axis_rows()];
+            for lane in 0..LANES {
+                let pair = block.bodies.map(|bodies| bodies[lane]);
+                if block.is_spring.0[lane] > 0.0 || rows.iter().any(|row| row.motor.drives(lane)) {
+                    ledger.leave_out(bodies.island_of(pair));
+                }
+            }
         }
     }
 
@@ -253,11 +285,6 @@ impl SolverJoints {
         let Self { blocks, jacobians, direct, geometric_stiffness, .. } = self;
         let test = stiffness_tests(geometric_stiffness, blocks, bodies, pass);
         direct.needs_another_round(jacobians, pass.inv_substep, test)
-    }
-
-    /// The islands of all joints, most of them more than once.
-    pub fn islands(&self, bodies: &SolverBodies) -> impl Iterator<Item = u32> {
-        self.members.iter().map(|member| bodies.island_of(member.bodies))
     }
 
     /// The bodies of directly solved joints, including immovable ones; some more than once.

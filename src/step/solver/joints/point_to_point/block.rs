@@ -56,8 +56,8 @@ impl PointToPointBlock {
     };
 
     /// Scales the impulses with which the next substep starts.
-    pub fn scale_impulses(&mut self, factor: Real) {
-        for lane in 0..LANES {
+    pub fn scale_impulses(&mut self, factors: &Lane) {
+        for (lane, factor) in factors.0.into_iter().enumerate() {
             self.impulse.set_lane(lane, self.impulse.lane(lane) * factor);
             for turned in &mut self.turned {
                 set_ang_lane(turned, lane, ang_lane(turned, lane) * factor);

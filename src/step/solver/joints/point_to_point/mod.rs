@@ -23,7 +23,7 @@ use super::BLOCKS_PER_TASK;
 use super::load::JointLoadContext;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::base::wide::Simd;
+use crate::base::wide::{LANES, Lane, Simd};
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use crate::model::island::IslandManager;
@@ -103,9 +103,11 @@ impl PointToPointJoints {
         });
     }
 
-    /// Scales the warm-start impulses of a substep by this fraction.
-    pub fn scale_impulses(&mut self, factor: Real) {
-        self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
+    /// Scales impulses by the fraction, if any, that the constraints of a block of bodies keep.
+    pub fn scale_impulses(&mut self, kept_by: impl Fn(&[[u32; LANES]; 2]) -> Option<Lane>) {
+        for block in &mut self.blocks {
+            kept_by(&block.bodies).iter().for_each(|factors| block.scale_impulses(factors));
+        }
     }
 
     /// Solves all joints once: with bias, or towards zero relative velocity.

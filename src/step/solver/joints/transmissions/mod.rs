@@ -152,10 +152,19 @@ impl Transmissions {
         }
     }
 
-    /// Scales the impulses with which the next substep starts.
-    pub fn scale_impulses(&mut self, factor: Real) {
-        let changes = self.list.iter_mut().flat_map(|constraint| &mut constraint.applied).flatten();
-        changes.for_each(|change| *change *= factor);
+    /// Scales the effect of impulses by the fraction, if any, that the constraints of a block of bodies keep.
+    pub fn scale_impulses(
+        &mut self,
+        blocks: &[JointBlock],
+        kept_by: impl Fn(&[[u32; LANES]; 2]) -> Option<Lane>,
+    ) {
+        for index in 0..self.list.len() {
+            let Place { block, lane, .. } = self.place(index);
+            if let Some(factors) = kept_by(&blocks[block].bodies) {
+                let changes = self.list[index].applied.iter_mut().flatten();
+                changes.for_each(|change| *change *= factors.0[lane]);
+            }
+        }
     }
 
     /// Prepares the solve pass: the impulses act along the rows of the current poses. Stiff components start
