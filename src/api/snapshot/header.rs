@@ -7,7 +7,7 @@ use core::hash::Hasher as _;
 
 /// Version of the format. It grows with every change of a saved type, and a snapshot of another version is
 /// refused.
-pub const FORMAT: u16 = 8;
+pub const FORMAT: u16 = 9;
 
 const MAGIC: [u8; 8] = *b"physnap\n";
 

@@ -58,6 +58,8 @@ pub struct RigidBody {
     pub(crate) substep: Real,
     /// The length of substeps for which its contacts store their impulses, over that ([`StepPace`]).
     pub(crate) reference_ratio: Real,
+    /// Kinetic energy (J) that impulses have added to its island: see `step/solver/ledger.rs`.
+    pub(crate) energy_error: Real,
     pub(crate) activation: RigidBodyActivation,
     pub(crate) changes: RigidBodyChanges,
     /// Positions of the body in the step's lists.
@@ -111,6 +113,7 @@ clone_in_place!(RigidBody {
     soft_ccd_prediction,
     substep,
     reference_ratio,
+    energy_error,
     activation,
     changes,
     link,
@@ -153,6 +156,7 @@ impl Loaded for RigidBody {
         ensure!(are_right, "gravity scale and damping of a body: {numbers:?}");
         let iterations = self.additional_solver_iterations;
         ensure!(iterations <= ITERATIONS_MAX, "a body has {iterations} additional iterations");
+        ensure!(self.energy_error.is_finite(), "an energy error of {} J", self.energy_error);
         let lengths = [self.extent, self.soft_ccd_prediction, self.substep, self.reference_ratio];
         let are_lengths = lengths.iter().all(|length| length.is_finite() && *length >= 0.0);
         ensure!(
@@ -209,6 +213,7 @@ impl RigidBody {
             additional_solver_iterations: 0,
             substep: 0.0,
             reference_ratio: 1.0,
+            energy_error: 0.0,
             colliders: AttachedColliders::new(),
             push: (Vector::ZERO, ANG_ZERO),
             edit: EditMark::default(),

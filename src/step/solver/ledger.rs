@@ -20,13 +20,13 @@
 //! do. The next substep starts with the same fraction.
 //!
 //! ## Entries of a substep
-//! * *Start*: the impulses of the last substep are bounded by `T(v)`. They are needed where they balance forces,
-//!   and then they reduce the energy.
-//! * *Correction*: after the solve pass, which corrects errors by velocities, by `2 T(v)` and a speed of
-//!   [`ContactPass::push_velocity_max`] of all bodies. Without it, a joint that is half a metre off moves light
+//! * *Start*: the impulses of the last substep are bounded by `2 T(v)`. Where they balance forces, they reduce the
+//!   energy.
+//! * *Correction*: those of the solve pass, which corrects errors by velocities, by `2 T(v)` and the energy of all
+//!   bodies at the largest speed of a correction. Without a bound, a joint that is half a metre off moves light
 //!   bodies by several metres in a substep.
-//! * *End*: after the relax pass, by `T(v)` again. The bodies of rotated inertia have another `T(v)` for the same
-//!   momentum, so that of the start counts.
+//! * *End*: after the relax pass, by `T(v)` of the start and the rest of the balance. A balance adds the gains up,
+//!   and is at most [`ERROR_MAX`] of the energy. Energy that is lost beyond that does not return.
 //!
 //! ## Scope
 //! Islands with joints, and islands with more deep contacts than bodies of such contacts, for which one relax
@@ -55,6 +55,9 @@ use core::ops::Range;
 
 /// The fraction of the largest corrective velocity from which overlap counts as deep.
 const DEEP_FRACTION: Real = 0.125;
+/// The bound of the balance, as a fraction of the kinetic energy. The energy of a chain oscillates as its links
+/// rotate: what a substep gains, the next one loses.
+const ERROR_MAX: f64 = 0.025;
 /// Relative rounding error of an island's energy.
 const ROUNDING: f64 = 8.0 * Real::EPSILON as f64;
 /// The same for sums in another order.
@@ -93,6 +96,8 @@ struct Account {
     mass: f64,
     energy: f64,
     terms: Terms,
+    /// Energy that impulses have added.
+    balance: f64,
     /// The bound of the present entry.
     bound: f64,
     /// Whether it may exceed the bound.
@@ -104,6 +109,37 @@ struct Account {
 impl Account {
     fn is_open(&self) -> bool {
         (self.has_joints || self.deep_contacts > self.deep_bodies) && !self.is_driven
+    }
+
+    /// Sets the bound of an entry, for corrections of up to this speed.
+    fn set_bound(&mut self, entry: Entry, speed: f64) {
+        if entry == Entry::Start {
+            self.energy = self.terms[0];
+        }
+        self.bound = match entry {
+            Entry::Start => 2.0 * self.energy,
+            Entry::Correction => 2.0 * self.energy + 0.5 * self.mass * speed * speed,
+            Entry::End => self.energy + (self.band() - self.known_balance()).max(0.0),
+        };
+        self.is_due = self.may_exceed();
+    }
+
+    /// The bound of the balance, in both directions.
+    fn band(&self) -> f64 {
+        ERROR_MAX * self.energy
+    }
+
+    /// The balance without losses beyond the band, which do not return.
+    fn known_balance(&self) -> f64 {
+        self.balance.max(-self.band())
+    }
+
+    /// Adds the gain of the substep to the balance.
+    fn settle(&mut self) {
+        let ([t, b, a], kept) = (self.terms, f64::from(self.kept));
+        let gain = t + kept * (b + 0.5 * kept * a) - self.energy;
+        let balance = self.known_balance() + gain;
+        self.balance = if balance.is_finite() { balance.max(-self.band()) } else { 0.0 };
     }
 
     /// Returns whether its energy is beyond the bound, with sums of which the order may be another one.
@@ -158,7 +194,8 @@ impl Ledger {
     /// Begins a step in which there may be accounts.
     pub fn begin(&mut self, bodies: &SolverBodies) {
         self.accounts.clear();
-        self.accounts.resize(bodies.island_bound(), Account::default());
+        let empty = Account { balance: f64::NEG_INFINITY, ..Account::default() };
+        self.accounts.resize(bodies.island_bound(), empty);
         self.is_deep.clear();
         self.is_deep.resize(bodies.states.len(), false);
         self.is_active = true;
@@ -221,6 +258,8 @@ impl Ledger {
                 let inv_mass = pose.inv_mass().max_element();
                 let mass = if inv_mass > 0.0 { 1.0 / inv_mass } else { 0.0 };
                 account.mass += f64::from(mass);
+                // A new body has none, and islands that merge have the worse one.
+                account.balance = account.balance.max(f64::from(bodies.energy_errors[index]));
                 all.is_open = true;
                 all.mass.0[lane] = mass;
                 set_symmetric_lane(&mut all.inertia, lane, &inertia_of(&pose.inv_inertia()));
@@ -235,21 +274,31 @@ impl Ledger {
             return false;
         }
         self.measure(bodies, pass);
-        let speed = f64::from(pass.contacts.push_velocity_max);
+        let speed = f64::from(pass.joints.correction_max);
         for account in self.accounts.iter_mut().filter(|account| account.is_open()) {
-            if entry == Entry::Start {
-                account.energy = account.terms[0];
+            account.set_bound(entry, speed);
+        }
+        let is_exceeded = self.accounts.iter().any(|account| account.is_due);
+        if is_exceeded {
+            self.add_up_in_order(bodies);
+        }
+        if entry == Entry::End {
+            self.accounts.iter_mut().filter(|account| account.is_open()).for_each(Account::settle);
+        }
+        is_exceeded && self.limit(bodies)
+    }
+
+    /// Ends the step: notes the balances in the bodies.
+    pub fn close(&mut self, bodies: &mut SolverBodies) {
+        if !self.is_active {
+            return;
+        }
+        for index in self.members.clone() {
+            let account = self.accounts.get(bodies.islands[index] as usize);
+            if let Some(account) = account.filter(|account| account.is_open()) {
+                bodies.energy_errors[index] = account.balance as Real;
             }
-            let allowance = account.energy + 0.5 * account.mass * speed * speed;
-            account.bound =
-                account.energy + if entry == Entry::Correction { allowance } else { 0.0 };
-            account.is_due = account.may_exceed();
         }
-        if !self.accounts.iter().any(|account| account.is_due) {
-            return false;
-        }
-        self.add_up_in_order(bodies);
-        self.limit(bodies)
     }
 
     /// Sums up the terms of the bodies of each island.

@@ -141,6 +141,7 @@ impl SolverScratch {
         counters.velocity_resolution_time.pause();
 
         counters.velocity_writeback_time.resume();
+        constraints.ledger.close(bodies);
         constraints.joints.finish(bodies, &pass);
         let links_are_moderate = constraints.multibodies.finish(context.diverged, pass.substep);
         let is_moderate = links_are_moderate & bodies.are_moderate(pass.tasks);

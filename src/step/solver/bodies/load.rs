@@ -58,6 +58,7 @@ impl SolverBodies {
         self.impulse_fractions.resize(count + 1, ImpulseFractions::ALL);
         self.uneven.resize(count + 1, false);
         self.islands.resize(count + 1, NONE);
+        self.energy_errors.resize(count + 1, 0.0);
         // SAFETY: the index is in range, and this task owns it exclusively.
         unsafe { self.places().at(0).clear() };
     }
@@ -74,6 +75,7 @@ impl SolverBodies {
             impulse_fractions: DisjointMut::new(&mut self.impulse_fractions),
             uneven: DisjointMut::new(&mut self.uneven),
             islands: DisjointMut::new(&mut self.islands),
+            energy_errors: DisjointMut::new(&mut self.energy_errors),
         }
     }
 
@@ -130,6 +132,7 @@ struct Place<'a> {
     impulse_fractions: &'a mut ImpulseFractions,
     is_uneven: &'a mut bool,
     island: &'a mut u32,
+    energy_error: &'a mut Real,
 }
 
 impl Place<'_> {
@@ -139,7 +142,7 @@ impl Place<'_> {
         (*self.state, *self.before) = (BodyState::AT_REST, BodyState::AT_REST);
         *self.motion = FreeMotion::at_rest(Rotation::IDENTITY);
         (*self.impulse_fractions, *self.island) = (ImpulseFractions::ALL, NONE);
-        *self.is_uneven = false;
+        (*self.is_uneven, *self.energy_error) = (false, 0.0);
     }
 
     /// A body that is solved with the substep `h`.
@@ -167,7 +170,7 @@ impl Place<'_> {
         *self.pose = BodyPose::new(body.pose.rotation, center, mprops.inv_mass, inv_inertia);
         *self.state = BodyState::new(body.vels.linvel, body.vels.angvel);
         *self.before = *self.state;
-        *self.island = body.link.island;
+        (*self.island, *self.energy_error) = (body.link.island, body.energy_error);
     }
 }
 
@@ -184,6 +187,7 @@ pub(super) struct Places<'a> {
     impulse_fractions: DisjointMut<'a, ImpulseFractions>,
     uneven: DisjointMut<'a, bool>,
     islands: DisjointMut<'a, u32>,
+    energy_errors: DisjointMut<'a, Real>,
 }
 
 impl Places<'_> {
@@ -202,6 +206,7 @@ impl Places<'_> {
                 impulse_fractions: self.impulse_fractions.get_mut(index),
                 is_uneven: self.uneven.get_mut(index),
                 island: self.islands.get_mut(index),
+                energy_error: self.energy_errors.get_mut(index),
             }
         }
     }

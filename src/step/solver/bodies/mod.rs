@@ -48,6 +48,8 @@ pub(super) struct SolverBodies {
     uneven_starts: Vec<(u32, AngularInertia)>,
     /// By index: the island, or [`NONE`].
     pub islands: Vec<u32>,
+    /// By index: the energy error of the island.
+    pub energy_errors: Vec<Real>,
     /// The indices of moving bodies: the ungrouped ones, and the members of the solved group.
     moving: [Range<usize>; 2],
     /// Buffers of threads for fast bodies.

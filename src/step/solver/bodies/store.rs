@@ -22,11 +22,12 @@ impl SolverBodies {
         let (params, order) = (settings.params, groups.order());
         debug_assert!(order.len() < self.states.len() && bodies.slot_count() <= moved.len());
         let moved = DisjointMut::new(moved);
-        let (states, motions) = (&self.states, &self.motions);
+        let (states, motions, energy_errors) = (&self.states, &self.motions, &self.energy_errors);
         let store = |position: usize, body: Option<&mut RigidBody>, fast: &mut Vec<_>| {
             let slot = order[position].into_raw_parts().0;
             let Some(body) = body.filter(|_| !links.moves(slot)) else { return };
             let (state, motion) = (&states[position + 1], &motions[position + 1]);
+            body.energy_error = energy_errors[position + 1];
             let displacement = match body.body_type {
                 RigidBodyType::KinematicPositionBased => move_to(body, body.next_pose, params.dt),
                 _ => {
