@@ -5,7 +5,7 @@
 
 use super::mass::mass_is_usable;
 use super::{
-    AttachedColliders, QuarantineCause, RestPose, RigidBodyActivation,
+    AttachedColliders, EnergyError, QuarantineCause, RestPose, RigidBodyActivation,
     RigidBodyAdditionalMassProps, RigidBodyBuilder, RigidBodyChanges, RigidBodyMassProps,
     RigidBodyType, RigidBodyVelocity,
 };
@@ -58,8 +58,8 @@ pub struct RigidBody {
     pub(crate) substep: Real,
     /// The length of substeps for which its contacts store their impulses, over that ([`StepPace`]).
     pub(crate) reference_ratio: Real,
-    /// Kinetic energy (J) that impulses have added to its island: see `step/solver/ledger.rs`.
-    pub(crate) energy_error: Real,
+    /// The energy that impulses have added to its island.
+    pub(crate) energy_error: EnergyError,
     pub(crate) activation: RigidBodyActivation,
     pub(crate) changes: RigidBodyChanges,
     /// Positions of the body in the step's lists.
@@ -156,7 +156,8 @@ impl Loaded for RigidBody {
         ensure!(are_right, "gravity scale and damping of a body: {numbers:?}");
         let iterations = self.additional_solver_iterations;
         ensure!(iterations <= ITERATIONS_MAX, "a body has {iterations} additional iterations");
-        ensure!(self.energy_error.is_finite(), "an energy error of {} J", self.energy_error);
+        let energy_error = self.energy_error.added;
+        ensure!(energy_error.is_finite(), "an energy error of {energy_error} J");
         let lengths = [self.extent, self.soft_ccd_prediction, self.substep, self.reference_ratio];
         let are_lengths = lengths.iter().all(|length| length.is_finite() && *length >= 0.0);
         ensure!(
@@ -213,7 +214,7 @@ impl RigidBody {
             additional_solver_iterations: 0,
             substep: 0.0,
             reference_ratio: 1.0,
-            energy_error: 0.0,
+            energy_error: EnergyError::NONE,
             colliders: AttachedColliders::new(),
             push: (Vector::ZERO, ANG_ZERO),
             edit: EditMark::default(),

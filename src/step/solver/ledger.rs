@@ -49,6 +49,7 @@ use crate::dim::wide::{
     WideSymmetric, ZERO_INERTIA, ang_dot as wide_ang_dot, load_symmetric, mul_inertia,
     set_symmetric_lane,
 };
+use crate::model::body::EnergyError;
 use crate::model::contact::ContactInput;
 use crate::model::params::ContactPass;
 use core::ops::Range;
@@ -98,6 +99,8 @@ struct Account {
     terms: Terms,
     /// Energy that impulses have added.
     balance: f64,
+    /// Whether an entry exceeded its bound since the balance was positive.
+    is_exceeded: bool,
     /// The bound of the present entry.
     bound: f64,
     /// Whether it may exceed the bound.
@@ -140,6 +143,7 @@ impl Account {
         let gain = t + kept * (b + 0.5 * kept * a) - self.energy;
         let balance = self.known_balance() + gain;
         self.balance = if balance.is_finite() { balance.max(-self.band()) } else { 0.0 };
+        self.is_exceeded = self.balance > 0.0 && (self.is_exceeded || self.kept < 1.0);
     }
 
     /// Returns whether its energy is beyond the bound, with sums of which the order may be another one.
@@ -236,7 +240,7 @@ impl Ledger {
                     account.deep_bodies += usize::from(!was_deep);
                 }
             }
-        account.is_driven |= is_driven(pair, lane, input, bodies);
+            account.is_driven |= is_driven(pair, lane, input, bodies);
         }
     }
 
@@ -259,7 +263,9 @@ impl Ledger {
                 let mass = if inv_mass > 0.0 { 1.0 / inv_mass } else { 0.0 };
                 account.mass += f64::from(mass);
                 // A new body has none, and islands that merge have the worse one.
-                account.balance = account.balance.max(f64::from(bodies.energy_errors[index]));
+                let error = bodies.energy_errors[index];
+                account.balance = account.balance.max(f64::from(error.added));
+                account.is_exceeded |= error.is_exceeded;
                 all.is_open = true;
                 all.mass.0[lane] = mass;
                 set_symmetric_lane(&mut all.inertia, lane, &inertia_of(&pose.inv_inertia()));
@@ -269,7 +275,12 @@ impl Ledger {
     }
 
     /// Makes an entry. Returns whether any island must not keep all of its impulses.
-    pub fn enter(&mut self, entry: Entry, bodies: &mut SolverBodies, pass: &SolverPass<'_>) -> bool {
+    pub fn enter(
+        &mut self,
+        entry: Entry,
+        bodies: &mut SolverBodies,
+        pass: &SolverPass<'_>,
+    ) -> bool {
         if !self.is_active {
             return false;
         }
@@ -296,7 +307,8 @@ impl Ledger {
         for index in self.members.clone() {
             let account = self.accounts.get(bodies.islands[index] as usize);
             if let Some(account) = account.filter(|account| account.is_open()) {
-                bodies.energy_errors[index] = account.balance as Real;
+                let Account { balance, is_exceeded, .. } = *account;
+                bodies.energy_errors[index] = EnergyError { added: balance as Real, is_exceeded };
             }
         }
     }
@@ -304,8 +316,7 @@ impl Ledger {
     /// Sums up the terms of the bodies of each island.
     fn measure(&mut self, bodies: &SolverBodies, pass: &SolverPass<'_>) {
         let Self { accounts, members, masses, terms, .. } = self;
-        let (states, before) =
-            (&bodies.states[members.clone()], &bodies.before[members.clone()]);
+        let (states, before) = (&bodies.states[members.clone()], &bodies.before[members.clone()]);
         terms.clear();
         terms.resize(masses.len(), [Lane::ZERO; 3]);
         pass.simd.run(Measure { masses, states, before, terms });

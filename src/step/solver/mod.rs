@@ -295,8 +295,11 @@ impl Constraints {
     /// Makes an entry in the ledger of energy, and takes back the impulses that exceed it.
     fn enter(&mut self, entry: Entry, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let Self { joints, contacts, ledger, .. } = self;
+        if entry == Entry::Start {
+            joints.note_totals();
+        }
         if ledger.enter(entry, bodies, pass) {
-            joints.limit(ledger, bodies);
+            joints.limit(ledger, entry, bodies);
             contacts.limit(ledger, bodies);
         }
     }

@@ -8,7 +8,7 @@ use crate::base::tasks::Tasks;
 use crate::dim::math::{Real, Rotation, Vector, ang_length_squared};
 use crate::dim::motion::{FreeMotion, is_uneven};
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
-use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
+use crate::model::body::{EnergyError, RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
 use crate::model::contact::AnchorFrame;
 use crate::model::island::{NONE, StepPace};
 use crate::model::params::IntegrationParameters;
@@ -58,7 +58,7 @@ impl SolverBodies {
         self.impulse_fractions.resize(count + 1, ImpulseFractions::ALL);
         self.uneven.resize(count + 1, false);
         self.islands.resize(count + 1, NONE);
-        self.energy_errors.resize(count + 1, 0.0);
+        self.energy_errors.resize(count + 1, EnergyError::NONE);
         // SAFETY: the index is in range, and this task owns it exclusively.
         unsafe { self.places().at(0).clear() };
     }
@@ -132,7 +132,7 @@ struct Place<'a> {
     impulse_fractions: &'a mut ImpulseFractions,
     is_uneven: &'a mut bool,
     island: &'a mut u32,
-    energy_error: &'a mut Real,
+    energy_error: &'a mut EnergyError,
 }
 
 impl Place<'_> {
@@ -142,7 +142,7 @@ impl Place<'_> {
         (*self.state, *self.before) = (BodyState::AT_REST, BodyState::AT_REST);
         *self.motion = FreeMotion::at_rest(Rotation::IDENTITY);
         (*self.impulse_fractions, *self.island) = (ImpulseFractions::ALL, NONE);
-        (*self.is_uneven, *self.energy_error) = (false, 0.0);
+        (*self.is_uneven, *self.energy_error) = (false, EnergyError::NONE);
     }
 
     /// A body that is solved with the substep `h`.
@@ -187,7 +187,7 @@ pub(super) struct Places<'a> {
     impulse_fractions: DisjointMut<'a, ImpulseFractions>,
     uneven: DisjointMut<'a, bool>,
     islands: DisjointMut<'a, u32>,
-    energy_errors: DisjointMut<'a, Real>,
+    energy_errors: DisjointMut<'a, EnergyError>,
 }
 
 impl Places<'_> {

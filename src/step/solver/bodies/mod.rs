@@ -15,7 +15,7 @@ use crate::dim::math::{AngularInertia, Real, SpatialVector};
 use crate::dim::motion::FreeMotion;
 use crate::dim::spatial::{angular, join};
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
-use crate::model::body::BODIES_PER_TASK;
+use crate::model::body::{BODIES_PER_TASK, EnergyError};
 use crate::model::island::NONE;
 use crate::step::notes::FastMotion;
 use core::ops::Range;
@@ -49,7 +49,7 @@ pub(super) struct SolverBodies {
     /// By index: the island, or [`NONE`].
     pub islands: Vec<u32>,
     /// By index: the energy error of the island.
-    pub energy_errors: Vec<Real>,
+    pub energy_errors: Vec<EnergyError>,
     /// The indices of moving bodies: the ungrouped ones, and the members of the solved group.
     moving: [Range<usize>; 2],
     /// Buffers of threads for fast bodies.

@@ -58,6 +58,9 @@ pub(super) struct JointBlock {
     /// Sums over all substeps: the impulse, and its moment about `p`.
     pub total_impulse: WideVector<Lane>,
     pub total_moment: WideAngVector<Lane>,
+    /// The same until this substep's solution.
+    pub earlier_impulse: WideVector<Lane>,
+    pub earlier_moment: WideAngVector<Lane>,
     /// Range of the block's rows of free axes.
     pub first_row: usize,
     pub row_count: usize,
@@ -95,6 +98,8 @@ impl JointBlock {
             angvel_change: [ANG_ZERO_LANES; 2],
             total_impulse: vector,
             total_moment: ANG_ZERO_LANES,
+            earlier_impulse: vector,
+            earlier_moment: ANG_ZERO_LANES,
             first_row: 0,
             row_count: 0,
             is_exact: false,
@@ -113,6 +118,23 @@ impl JointBlock {
     pub fn movable(&self, lane: usize) -> u32 {
         let [first, second] = self.bodies.map(|bodies| bodies[lane]);
         if first & READ_ONLY == 0 { first } else { second & !READ_ONLY }
+    }
+
+    /// Notes the sums over all substeps before this one.
+    pub fn note_totals(&mut self) {
+        (self.earlier_impulse, self.earlier_moment) = (self.total_impulse, self.total_moment);
+    }
+
+    /// Scales what this substep has added to the sums.
+    pub fn scale_totals(&mut self, factors: &Lane) {
+        for (lane, factor) in factors.0.into_iter().enumerate() {
+            let earlier = self.earlier_impulse.lane(lane);
+            let added = self.total_impulse.lane(lane) - earlier;
+            self.total_impulse.set_lane(lane, earlier + added * factor);
+            let earlier = ang_lane(&self.earlier_moment, lane);
+            let added = ang_lane(&self.total_moment, lane) - earlier;
+            set_ang_lane(&mut self.total_moment, lane, earlier + added * factor);
+        }
     }
 
     /// Scales the impulses with which the next substep starts.

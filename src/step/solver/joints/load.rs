@@ -204,7 +204,11 @@ impl JointLoadContext<'_> {
             return None;
         }
         let ends = slots.map(|slot| bodies.index_of(slot));
-        Some(DirectJoint::new(slot, ends, link.form, &bodies.poses))
+        let exceeds_energy =
+            |end: &u32| end & READ_ONLY == 0 && bodies.energy_errors[*end as usize].is_exceeded;
+        let is_strained = ends.iter().any(exceeds_energy);
+        let joint = DirectJoint::new(slot, ends, link.form, &bodies.poses);
+        Some(DirectJoint { is_strained, ..joint })
     }
 }
 

@@ -78,7 +78,7 @@ use super::blocks::{Layout, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
 use super::context::SolverPass;
 use super::impact_time::ImpactTime;
-use super::ledger::{Ledger, is_carried};
+use super::ledger::{Entry, Ledger, is_carried};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{LANES, Lane, Simd};
@@ -196,8 +196,24 @@ impl SolverJoints {
         }
     }
 
-    /// Leaves all islands the fractions of their impulses that they keep.
-    pub fn limit(&mut self, ledger: &Ledger, bodies: &SolverBodies) {
+    /// Notes the sums of impulses before this substep.
+    pub fn note_totals(&mut self) {
+        self.blocks.iter_mut().for_each(JointBlock::note_totals);
+        self.transmissions.note_totals();
+    }
+
+    /// Leaves all islands the fractions of their impulses that they keep. At the end of the substep the sums
+    /// include these.
+    pub fn limit(&mut self, ledger: &Ledger, entry: Entry, bodies: &SolverBodies) {
+        if entry == Entry::End {
+            let Self { blocks, point_to_point, transmissions, .. } = self;
+            let kept_by = |pairs: &[[u32; LANES]; 2]| ledger.kept_by(pairs, bodies);
+            for block in &mut *blocks {
+                kept_by(&block.bodies).iter().for_each(|factors| block.scale_totals(factors));
+            }
+            point_to_point.scale_totals(kept_by);
+            transmissions.scale_totals(blocks, kept_by);
+        }
         self.scale_impulses(|pairs| ledger.kept_by(pairs, bodies));
     }
 

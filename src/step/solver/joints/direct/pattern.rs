@@ -21,7 +21,8 @@ const NET_JOINTS_PER_BODY_MAX: usize = 6;
 
 /// Numbers of joints of unattached components with moderate mass ratios that are solved iteratively:
 /// ragdolls. They carry no load for long, and a force passes through them in some substeps. Fewer joints cost
-/// little, and keep the energy of rotating components.
+/// little, and keep the energy of rotating components. Iterations that add energy have not converged: until
+/// that energy is lost again, the component is solved directly.
 const UNATTACHED_JOINT_COUNTS: RangeInclusive<usize> = 6..=24;
 const MASS_RATIO_MODERATE_MAX: Real = 32.0;
 
@@ -39,6 +40,8 @@ pub(in super::super) struct DirectJoint {
     pub inv_masses: [Real; 2],
     /// Whether a body has both locked and free axes of its own.
     pub has_locked_body: bool,
+    /// Whether the errors of its island exceed the bound of the energy: see `solver/ledger.rs`.
+    pub is_strained: bool,
     pub form: JointForm,
     /// Number of its rows of locked axes.
     pub locked_row_count: u8,
@@ -53,6 +56,7 @@ impl DirectJoint {
         bodies: [READ_ONLY; 2],
         inv_masses: [0.0; 2],
         has_locked_body: false,
+        is_strained: false,
         form: JointForm {
             locked: 0,
             driven: 0,
@@ -76,6 +80,7 @@ impl DirectJoint {
             bodies,
             inv_masses,
             has_locked_body,
+            is_strained: false,
             form,
             locked_row_count,
         }
@@ -379,6 +384,7 @@ impl Search {
     fn is_easy(&self, members: &[DirectJoint]) -> bool {
         let is_unattached = self.component(members).all(|member| member.movable().count() == 2);
         !self.has_transmission(members)
+            && !self.component(members).any(|member| member.is_strained)
             && UNATTACHED_JOINT_COUNTS.contains(&self.order.len())
             && is_unattached
             && has_moderate_mass_ratio(self.component(members))

@@ -55,6 +55,14 @@ impl PointToPointBlock {
         frame: WideRotation::IDENTITY,
     };
 
+    /// Scales what this substep has added to the sum over all of them: the impulse.
+    pub fn scale_totals(&mut self, factors: &Lane) {
+        for (lane, factor) in factors.0.into_iter().enumerate() {
+            let removed = self.impulse.lane(lane) * (1.0 - factor);
+            self.total.set_lane(lane, self.total.lane(lane) - removed);
+        }
+    }
+
     /// Scales the impulses with which the next substep starts.
     pub fn scale_impulses(&mut self, factors: &Lane) {
         for (lane, factor) in factors.0.into_iter().enumerate() {

@@ -103,6 +103,13 @@ impl PointToPointJoints {
         });
     }
 
+    /// Scales what this substep has added to the sums over all of them.
+    pub fn scale_totals(&mut self, kept_by: impl Fn(&[[u32; LANES]; 2]) -> Option<Lane>) {
+        for block in &mut self.blocks {
+            kept_by(&block.bodies).iter().for_each(|factors| block.scale_totals(factors));
+        }
+    }
+
     /// Scales impulses by the fraction, if any, that the constraints of a block of bodies keep.
     pub fn scale_impulses(&mut self, kept_by: impl Fn(&[[u32; LANES]; 2]) -> Option<Lane>) {
         for block in &mut self.blocks {

@@ -30,6 +30,8 @@ pub(super) struct Constraint {
     pub applied: [SpatialVector; 2],
     /// Sums over all substeps: impulse and couple on the second body.
     pub total: (Vector, AngVector),
+    /// The same until this substep's solution.
+    pub earlier: (Vector, AngVector),
 }
 
 /// Fills one lane of a block and its row.
@@ -66,7 +68,9 @@ pub(super) fn load_lane(
     }
     let (applied, total) = ([[0.0; SPATIAL_DIM]; 2], (Vector::ZERO, ANG_ZERO));
     let is_blocked = [false; 2];
-    let constraint = Constraint { slot, bodies, ends, counted, now, is_blocked, applied, total };
+    let earlier = total;
+    let constraint =
+        Constraint { slot, bodies, ends, counted, now, is_blocked, applied, total, earlier };
     constraint.note_pull(block, lane, impulse(row, lane));
     Some(constraint)
 }

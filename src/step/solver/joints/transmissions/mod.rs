@@ -152,6 +152,28 @@ impl Transmissions {
         }
     }
 
+    /// Notes the sums over all substeps before this one.
+    pub fn note_totals(&mut self) {
+        self.list.iter_mut().for_each(|constraint| constraint.earlier = constraint.total);
+    }
+
+    /// Scales what this substep has added to the sums.
+    pub fn scale_totals(
+        &mut self,
+        blocks: &[JointBlock],
+        kept_by: impl Fn(&[[u32; LANES]; 2]) -> Option<Lane>,
+    ) {
+        for index in 0..self.list.len() {
+            let Place { block, lane, .. } = self.place(index);
+            if let Some(factors) = kept_by(&blocks[block].bodies) {
+                let Constraint { total, earlier, .. } = &mut self.list[index];
+                let kept = factors.0[lane];
+                total.0 = earlier.0 + (total.0 - earlier.0) * kept;
+                total.1 = earlier.1 + (total.1 - earlier.1) * kept;
+            }
+        }
+    }
+
     /// Scales the effect of impulses by the fraction, if any, that the constraints of a block of bodies keep.
     pub fn scale_impulses(
         &mut self,
