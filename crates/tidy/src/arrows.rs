@@ -66,8 +66,8 @@ const SOLVER: [(&str, &[&str]); 18] = [
     ("transmission_end", &[]),
     ("groups", &["context", "stacks"]),
     ("bodies", &["context", "groups", "impact_time", "links", "states"]),
-    ("recovery", &["bodies", "island_sums"]),
-    ("contacts", &["blocks", "bodies", "context", "links", "recovery", "states"]),
+    ("ledger", &["bodies", "context", "island_sums", "states"]),
+    ("contacts", &["blocks", "bodies", "context", "ledger", "links", "states"]),
     (
         "joints",
         &[
@@ -77,6 +77,7 @@ const SOLVER: [(&str, &[&str]); 18] = [
             "context",
             "impact_time",
             "joint_rules",
+            "ledger",
             "links",
             "states",
             "transmission_end",

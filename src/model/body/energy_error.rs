@@ -2,8 +2,8 @@
 
 use crate::dim::math::Real;
 
-/// An island's kinetic energy by errors of the solver. Each of its bodies stores it, because islands merge and
-/// split. See `step/solver/ledger.rs`.
+/// An island's kinetic energy by errors of the solver. Each of its bodies stores it, because islands merge
+/// and split. See `step/solver/ledger.rs`.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct EnergyError {

@@ -1,12 +1,12 @@
 //! The ledger of an island's kinetic energy: impulses of a substep must not increase it.
 //!
-//! Contacts without restitution, locked axes, limits and dampers do no positive work. Let `v` be the velocities
-//! before any impulse of a substep. The exact solution is the projection of `v` on the admissible velocities in
-//! the metric of the kinetic energy (Moreau, "Unilateral contact and dry friction in finite freedom dynamics",
-//! 1988). A gain is therefore an error: one Gauss-Seidel iteration has not converged, Newton's rounds end at
-//! poses that they did not predict, or the impulses of the last substep, with which a substep starts, act along
-//! axes that have rotated since. Each of these can feed the next substep, and did: of 1,000 random trees of
-//! joints that were thrown into a cage, 26 gained energy, up to a factor of 5·10⁸.
+//! Contacts without restitution, locked axes, limits and dampers do no positive work. Let `v` be the
+//! velocities before any impulse of a substep. The exact solution is the projection of `v` on the admissible
+//! velocities in the metric of the kinetic energy (Moreau, "Unilateral contact and dry friction in finite
+//! freedom dynamics", 1988). A gain is therefore an error: one Gauss-Seidel iteration has not converged,
+//! Newton's rounds end at poses that they did not predict, or the impulses of the last substep, with which a
+//! substep starts, act along axes that have rotated since. Each of these can feed the next substep (figures:
+//! `docs/decisions/0029-energy-of-islands.md`).
 //!
 //! ## The fraction of the impulses
 //! With the effect `Δv` of all impulses of an island, the multiple `θ` of these impulses leads to
@@ -20,19 +20,20 @@
 //! do. The next substep starts with the same fraction.
 //!
 //! ## Entries of a substep
-//! * *Start*: the impulses of the last substep are bounded by `2 T(v)`. Where they balance forces, they reduce the
-//!   energy.
-//! * *Correction*: those of the solve pass, which corrects errors by velocities, by `2 T(v)` and the energy of all
-//!   bodies at the largest speed of a correction. Without a bound, a joint that is half a metre off moves light
-//!   bodies by several metres in a substep.
-//! * *End*: after the relax pass, by `T(v)` of the start and the rest of the balance. A balance adds the gains up,
-//!   and is at most [`ERROR_MAX`] of the energy. Energy that is lost beyond that does not return.
+//! * *Start*: the impulses of the last substep are bounded by `2 T(v)`. Where they balance forces, they
+//!   reduce the energy.
+//! * *Correction*: those of the solve pass, which corrects errors by velocities, by `2 T(v)` and the energy
+//!   of all bodies at the largest speed of a correction. Without a bound, a joint that is half a metre off
+//!   moves light bodies by several metres in a substep.
+//! * *End*: after the relax pass, by `T(v)` of the start and the rest of the balance. A balance adds the
+//!   gains up, and is at most [`ERROR_MAX`] of the energy. Energy that is lost beyond that does not return.
 //!
 //! ## Scope
 //! Islands with joints, and islands with more deep contacts than bodies of such contacts, for which one relax
-//! iteration does not converge. (A thousand balls at one point left with 300 m/s, though each contact pushes with
-//! 4 m/s at most.) Other contacts converge, and their islands may be large. Islands that something drives are left
-//! out: motors, springs, multibodies, moving kinematic bodies, dominance and moving surfaces all do work.
+//! iteration does not converge. (A thousand balls at one point left with 300 m/s, though each contact pushes
+//! with 4 m/s at most.) Other contacts converge, and their islands may be large. Islands that something
+//! drives are left out: motors, springs, multibodies, moving kinematic bodies, dominance and moving surfaces
+//! all do work.
 //!
 //! Alternative: scaling the velocities of the bodies that gained. It does not conserve momentum.
 
@@ -56,8 +57,8 @@ use core::ops::Range;
 
 /// The fraction of the largest corrective velocity from which overlap counts as deep.
 const DEEP_FRACTION: Real = 0.125;
-/// The bound of the balance, as a fraction of the kinetic energy. The energy of a chain oscillates as its links
-/// rotate: what a substep gains, the next one loses.
+/// The bound of the balance, as a fraction of the kinetic energy. The energy of a chain oscillates as its
+/// links rotate: what a substep gains, the next one loses.
 const ERROR_MAX: f64 = 0.025;
 /// Relative rounding error of an island's energy.
 const ROUNDING: f64 = 8.0 * Real::EPSILON as f64;
