@@ -39,7 +39,6 @@
 
 use super::bodies::SolverBodies;
 use super::context::SolverPass;
-use super::island_sums::IslandSums;
 use super::states::load_states;
 use crate::base::wide::{Kernel, LANES, Lane, Wide};
 use crate::dim::contact::ContactBlock;
@@ -60,10 +59,8 @@ const DEEP_FRACTION: Real = 0.125;
 /// The bound of the balance, as a fraction of the kinetic energy. The energy of a chain oscillates as its
 /// links rotate: what a substep gains, the next one loses.
 const ERROR_MAX: f64 = 0.025;
-/// Relative rounding error of an island's energy.
+/// Relative rounding error of the terms.
 const ROUNDING: f64 = 8.0 * Real::EPSILON as f64;
-/// The same for sums in another order.
-const ORDER_ROUNDING: f64 = 1.0e-11;
 
 /// The overlap (length) from which on its correction may throw bodies.
 pub(super) fn deep_overlap(pass: &ContactPass) -> Real {
@@ -82,8 +79,22 @@ pub(super) enum Entry {
     End,
 }
 
-/// Sums over bodies: `T(v)`, `b` and `a`.
-type Terms = [f64; 3];
+/// Numbers of a body, and sums over bodies: `T(v)`, `b`, `a`, and the mass.
+type Terms<T> = [T; 4];
+
+/// The energy with a fraction of the impulses.
+fn energy_with([t, b, a, _]: Terms<f64>, fraction: f64) -> f64 {
+    t + fraction * (b + 0.5 * fraction * a)
+}
+
+/// The largest fraction of the impulses with an energy of at most `bound`; if there is none, the one of the
+/// least energy.
+fn largest_fraction([t, b, a, _]: Terms<f64>, bound: f64) -> Real {
+    let root = (b * b - 2.0 * a * (t - bound)).max(0.0).sqrt();
+    let fraction = (root - b) / a;
+    // Without an effect of the impulses there is nothing to take back.
+    if fraction.is_finite() { fraction.clamp(0.0, 1.0) as Real } else { 1.0 }
+}
 
 /// The account of one island.
 #[derive(Copy, Clone, Debug, Default)]
@@ -94,19 +105,16 @@ struct Account {
     deep_bodies: usize,
     /// Whether something does work on it that no entry includes.
     is_driven: bool,
-    /// Its mass, and `T(v)` of the substep.
-    mass: f64,
+    /// `T(v)` of the substep.
     energy: f64,
-    terms: Terms,
     /// Energy that impulses have added.
     balance: f64,
-    /// Whether an entry exceeded its bound since the balance was positive.
+    /// Whether impulses were taken back in this step.
     is_exceeded: bool,
-    /// The bound of the present entry.
-    bound: f64,
-    /// Whether it may exceed the bound.
-    is_due: bool,
-    /// The fraction of its impulses that it keeps.
+    /// Sums over all bodies, and over those that may have to return impulses.
+    all: Terms<f64>,
+    suspect: Terms<f64>,
+    /// The fraction of their impulses that these keep.
     kept: Real,
 }
 
@@ -115,17 +123,36 @@ impl Account {
         (self.has_joints || self.deep_contacts > self.deep_bodies) && !self.is_driven
     }
 
-    /// Sets the bound of an entry, for corrections of up to this speed.
-    fn set_bound(&mut self, entry: Entry, speed: f64) {
+    /// Makes an entry for corrections of up to these velocities of joints and of contacts.
+    fn enter(&mut self, entry: Entry, speeds: [f64; 2]) {
+        let [of_joints, of_contacts] = speeds;
+        let speed = if self.has_joints { of_joints.max(of_contacts) } else { of_contacts };
+        let [energy, .., mass] = self.all;
         if entry == Entry::Start {
-            self.energy = self.terms[0];
+            self.energy = energy;
         }
-        self.bound = match entry {
+        let bound = match entry {
             Entry::Start => 2.0 * self.energy,
-            Entry::Correction => 2.0 * self.energy + 0.5 * self.mass * speed * speed,
+            Entry::Correction => 2.0 * self.energy + 0.5 * mass * speed * speed,
             Entry::End => self.energy + (self.band() - self.known_balance()).max(0.0),
         };
-        self.is_due = self.may_exceed();
+        self.limit(bound);
+        if entry == Entry::End {
+            self.settle();
+        }
+    }
+
+    /// Finds the fraction with which the island keeps to its bound.
+    fn limit(&mut self, bound: f64) {
+        let [t, b, a, _] = self.all;
+        let now = energy_with(self.all, 1.0);
+        let exceeds = now > bound + ROUNDING * (t + b.abs() + a);
+        self.kept = if exceeds {
+            let others = now - energy_with(self.suspect, 1.0);
+            largest_fraction(self.suspect, bound - others)
+        } else {
+            1.0
+        };
     }
 
     /// The bound of the balance, in both directions.
@@ -140,29 +167,11 @@ impl Account {
 
     /// Adds the gain of the substep to the balance.
     fn settle(&mut self) {
-        let ([t, b, a], kept) = (self.terms, f64::from(self.kept));
-        let gain = t + kept * (b + 0.5 * kept * a) - self.energy;
-        let balance = self.known_balance() + gain;
+        let taken =
+            energy_with(self.suspect, 1.0) - energy_with(self.suspect, f64::from(self.kept));
+        let balance = self.known_balance() + energy_with(self.all, 1.0) - taken - self.energy;
         self.balance = if balance.is_finite() { balance.max(-self.band()) } else { 0.0 };
-        self.is_exceeded = self.balance > 0.0 && (self.is_exceeded || self.kept < 1.0);
-    }
-
-    /// Returns whether its energy is beyond the bound, with sums of which the order may be another one.
-    fn may_exceed(&self) -> bool {
-        let [t, b, a] = self.terms;
-        self.is_open() && t + b + 0.5 * a > self.bound - ORDER_ROUNDING * (t + b.abs() + a)
-    }
-
-    /// The largest fraction of the impulses that keeps to the bound; if there is none, the one of the least
-    /// energy.
-    fn fraction(&self) -> Real {
-        let [t, b, a] = self.terms;
-        let bound = self.bound + ROUNDING * self.energy;
-        if t + b + 0.5 * a <= bound || a.is_nan() {
-            return 1.0;
-        }
-        let root = (b * b - 2.0 * a * (t - bound)).max(0.0).sqrt();
-        ((root - b) / a).clamp(0.0, 1.0) as Real
+        self.is_exceeded |= self.kept < 1.0;
     }
 }
 
@@ -183,11 +192,43 @@ pub(super) struct Ledger {
     members: Range<usize>,
     masses: Vec<Masses>,
     /// By body of the group: the terms of the present entry.
-    terms: Vec<[Lane; 3]>,
-    /// By index of a body: whether it is among the [deep bodies](Account::deep_bodies).
+    terms: Vec<Terms<Lane>>,
+    /// By island: the sums of the terms, of all bodies and of suspects.
+    sums: Vec<[UnorderedSum; 8]>,
+    /// By index of a body: whether it has joints or deep contacts, and may have to return impulses.
+    is_suspect: Vec<bool>,
+    /// The same for deep contacts alone.
     is_deep: Vec<bool>,
-    sums: IslandSums<3>,
     is_active: bool,
+}
+
+/// A sum that does not depend on the order of its terms: each is rounded to a multiple of a fraction of the
+/// largest one. (The order of bodies depends on the rest of the world.)
+#[derive(Copy, Clone, Debug, Default)]
+struct UnorderedSum {
+    largest: f64,
+    /// The sum in units of [`SUM_UNIT`] of the largest term.
+    units: i64,
+}
+
+/// A unit of sums as a fraction of the largest term: 2²² terms fit into a sum.
+const SUM_UNIT: f64 = 1.0 / (1_u64 << 40) as f64;
+
+impl UnorderedSum {
+    fn include(&mut self, term: f64) {
+        self.largest = self.largest.max(term.abs());
+    }
+
+    /// Adds a term that is included.
+    fn add(&mut self, term: f64) {
+        if self.largest > 0.0 {
+            self.units += (term / (self.largest * SUM_UNIT)).round() as i64;
+        }
+    }
+
+    fn value(self) -> f64 {
+        self.units as f64 * (self.largest * SUM_UNIT)
+    }
 }
 
 impl Ledger {
@@ -201,8 +242,10 @@ impl Ledger {
         self.accounts.clear();
         let empty = Account { balance: f64::NEG_INFINITY, ..Account::default() };
         self.accounts.resize(bodies.island_bound(), empty);
-        self.is_deep.clear();
-        self.is_deep.resize(bodies.states.len(), false);
+        for list in [&mut self.is_deep, &mut self.is_suspect] {
+            list.clear();
+            list.resize(bodies.states.len(), false);
+        }
         self.is_active = true;
     }
 
@@ -214,31 +257,41 @@ impl Ledger {
     }
 
     /// Includes the island of a joint, which something may drive.
-    pub fn note_joint(&mut self, island: u32, is_driven: bool) {
-        if let Some(account) = self.accounts.get_mut(island as usize) {
+    pub fn note_joint(&mut self, pair: [u32; 2], is_driven: bool, bodies: &SolverBodies) {
+        if let Some(account) = self.accounts.get_mut(bodies.island_of(pair) as usize) {
             account.has_joints = true;
             account.is_driven |= is_driven;
+            for body in pair.into_iter().filter(|body| body & READ_ONLY == 0) {
+                self.is_suspect[body as usize] = true;
+            }
         }
     }
 
-    /// Counts the contacts deeper than `deep` and their bodies by island, and marks driven islands.
+    /// Counts the contacts deeper than `deep`, if any may be, and their bodies by island, and marks driven
+    /// islands.
     pub fn note_contacts(
         &mut self,
         block: &ContactBlock,
         input: &ContactInput,
-        deep: Real,
+        deep: Option<Real>,
         bodies: &SolverBodies,
     ) {
         for lane in 0..LANES {
             let pair = input.bodies.map(|side| side[lane]);
             let island = bodies.island_of(pair);
-            let Some(account) = self.accounts.get_mut(island as usize) else { continue };
-            if block.points.iter().any(|it| it.mass.0[lane] > 0.0 && it.separation.0[lane] < -deep)
-            {
+            let account = self.accounts.get_mut(island as usize);
+            let is_due = |account: &&mut Account| account.has_joints || deep.is_some();
+            let Some(account) = account.filter(is_due) else { continue };
+            let is_deep = |deep: Real| {
+                let mut points = block.points.iter();
+                points.any(|it| it.mass.0[lane] > 0.0 && it.separation.0[lane] < -deep)
+            };
+            if deep.is_some_and(is_deep) {
                 account.deep_contacts += 1;
                 for body in pair.into_iter().filter(|body| body & READ_ONLY == 0) {
                     let was_deep = core::mem::replace(&mut self.is_deep[body as usize], true);
                     account.deep_bodies += usize::from(!was_deep);
+                    self.is_suspect[body as usize] = true;
                 }
             }
             account.is_driven |= is_driven(pair, lane, input, bodies);
@@ -262,17 +315,22 @@ impl Ledger {
                 let pose = &bodies.poses[index];
                 let inv_mass = pose.inv_mass().max_element();
                 let mass = if inv_mass > 0.0 { 1.0 / inv_mass } else { 0.0 };
-                account.mass += f64::from(mass);
-                // A new body has none, and islands that merge have the worse one.
-                let error = bodies.energy_errors[index];
-                account.balance = account.balance.max(f64::from(error.added));
-                account.is_exceeded |= error.is_exceeded;
+                if self.is_suspect[index] {
+                    // Islands that merge have the worse balance.
+                    let added = f64::from(bodies.energy_errors[index].added);
+                    account.balance = account.balance.max(added);
+                }
                 all.is_open = true;
                 all.mass.0[lane] = mass;
                 set_symmetric_lane(&mut all.inertia, lane, &inertia_of(&pose.inv_inertia()));
             }
             masses.push(all);
         }
+    }
+
+    /// Returns whether any account is open.
+    pub fn is_active(&self) -> bool {
+        self.is_active
     }
 
     /// Makes an entry. Returns whether any island must not keep all of its impulses.
@@ -286,71 +344,51 @@ impl Ledger {
             return false;
         }
         self.measure(bodies, pass);
-        let speed = f64::from(pass.joints.correction_max);
+        let speeds = [pass.joints.correction_max, pass.contacts.push_velocity_max].map(f64::from);
         for account in self.accounts.iter_mut().filter(|account| account.is_open()) {
-            account.set_bound(entry, speed);
+            account.enter(entry, speeds);
         }
-        let is_exceeded = self.accounts.iter().any(|account| account.is_due);
-        if is_exceeded {
-            self.add_up_in_order(bodies);
-        }
-        if entry == Entry::End {
-            self.accounts.iter_mut().filter(|account| account.is_open()).for_each(Account::settle);
-        }
-        is_exceeded && self.limit(bodies)
+        self.accounts.iter().any(|account| account.kept < 1.0) && self.limit(bodies)
     }
 
     /// Ends the step: notes the balances in the bodies.
-    pub fn close(&mut self, bodies: &mut SolverBodies) {
-        if !self.is_active {
-            return;
-        }
-        for index in self.members.clone() {
+    pub fn close(&self, bodies: &mut SolverBodies) {
+        let [_, members] = bodies.moving();
+        for index in members {
             let account = self.accounts.get(bodies.islands[index] as usize);
-            if let Some(account) = account.filter(|account| account.is_open()) {
-                let Account { balance, is_exceeded, .. } = *account;
-                bodies.energy_errors[index] = EnergyError { added: balance as Real, is_exceeded };
-            }
+            let account = account.filter(|account| self.is_active && account.is_open());
+            bodies.energy_errors[index] = account.map_or(EnergyError::NONE, |account| {
+                EnergyError { added: account.balance as Real, is_exceeded: account.is_exceeded }
+            });
         }
     }
 
     /// Sums up the terms of the bodies of each island.
     fn measure(&mut self, bodies: &SolverBodies, pass: &SolverPass<'_>) {
-        let Self { accounts, members, masses, terms, .. } = self;
+        let Self { accounts, members, masses, terms, sums, is_suspect, .. } = self;
         let (states, before) = (&bodies.states[members.clone()], &bodies.before[members.clone()]);
         terms.clear();
-        terms.resize(masses.len(), [Lane::ZERO; 3]);
+        terms.resize(masses.len(), [Lane::ZERO; 4]);
         pass.simd.run(Measure { masses, states, before, terms });
-        for account in &mut *accounts {
-            (account.terms, account.is_due, account.kept) = ([0.0; 3], false, 1.0);
-        }
-        for (index, terms) in members.clone().zip(each(terms)) {
-            if let Some(account) = accounts.get_mut(bodies.islands[index] as usize) {
-                (0..3).for_each(|k| account.terms[k] += f64::from(terms[k]));
-            }
-        }
-    }
-
-    /// Repeats the sums of islands that may exceed their bound, in an order that does not depend on the rest of
-    /// the world.
-    fn add_up_in_order(&mut self, bodies: &SolverBodies) {
-        let Self { accounts, members, terms, sums, .. } = self;
         sums.clear();
-        for (index, terms) in members.clone().zip(each(terms)) {
-            let island = bodies.islands[index];
-            if accounts.get(island as usize).is_some_and(|account| account.is_due) {
-                sums.push(island, terms);
+        sums.resize(accounts.len(), Default::default());
+        for visit in [UnorderedSum::include as fn(&mut _, _), UnorderedSum::add] {
+            for (index, terms) in each(members.clone(), masses, terms) {
+                let Some(sums) = sums.get_mut(bodies.islands[index] as usize) else { continue };
+                let (all, suspects) = sums.split_at_mut(4);
+                all.iter_mut().zip(terms).for_each(|(sum, term)| visit(sum, f64::from(term)));
+                if is_suspect[index] {
+                    suspects
+                        .iter_mut()
+                        .zip(terms)
+                        .for_each(|(sum, term)| visit(sum, f64::from(term)));
+                }
             }
         }
-        for account in accounts.iter_mut().filter(|account| account.is_due) {
-            account.terms = [0.0; 3];
-        }
-        sums.for_each(|island, terms| {
-            let account = &mut accounts[island as usize];
-            (0..3).for_each(|k| account.terms[k] += f64::from(terms[k]));
-        });
-        for account in accounts.iter_mut().filter(|account| account.is_due) {
-            account.kept = account.fraction();
+        for (account, sums) in accounts.iter_mut().zip(sums) {
+            account.all = core::array::from_fn(|k| sums[k].value());
+            account.suspect = core::array::from_fn(|k| sums[4 + k].value());
+            account.kept = 1.0;
         }
     }
 
@@ -358,35 +396,49 @@ impl Ledger {
     fn limit(&self, bodies: &mut SolverBodies) -> bool {
         let mut any = false;
         for index in self.members.clone() {
-            let kept = self.kept_by_island(bodies.islands[index]);
+            let kept = self.kept_by_body(index as u32, bodies);
             if kept < 1.0 {
-                let (before, state) = (bodies.before[index].velocity(), &mut bodies.states[index]);
-                let (v, w) = state.velocity();
-                let (old_v, old_w) = before;
-                state.set_velocity(old_v + (v - old_v) * kept, old_w + (w - old_w) * kept);
+                let (old_v, old_w) = bodies.before[index].velocity();
+                let (v, w) = bodies.states[index].velocity();
+                bodies.states[index]
+                    .set_velocity(old_v + (v - old_v) * kept, old_w + (w - old_w) * kept);
                 any = true;
             }
         }
         any
     }
 
-    fn kept_by_island(&self, island: u32) -> Real {
-        self.accounts.get(island as usize).map_or(1.0, |account| account.kept)
+    fn kept_by_body(&self, index: u32, bodies: &SolverBodies) -> Real {
+        if index & READ_ONLY != 0 || !self.is_suspect[index as usize] {
+            return 1.0;
+        }
+        let account = self.accounts.get(bodies.islands[index as usize] as usize);
+        account.map_or(1.0, |account| account.kept)
     }
 
     /// The fractions of their impulses that constraints of these bodies keep, if not all of them.
     pub fn kept_by(&self, pairs: &[[u32; LANES]; 2], bodies: &SolverBodies) -> Option<Lane> {
         let mut factors = Lane::splat(1.0);
         for (lane, factor) in factors.0.iter_mut().enumerate() {
-            *factor = self.kept_by_island(bodies.island_of(pairs.map(|side| side[lane])));
+            let kept = pairs.map(|side| self.kept_by_body(side[lane], bodies));
+            *factor = kept[0].min(kept[1]);
         }
         factors.0.iter().any(|&factor| factor < 1.0).then_some(factors)
     }
 }
 
-/// The terms of each body.
-fn each(terms: &[[Lane; 3]]) -> impl Iterator<Item = [Real; 3]> {
-    terms.iter().flat_map(|lanes| (0..LANES).map(move |lane| lanes.map(|of| of.0[lane])))
+/// The indices and terms of bodies, without those that are far from any open account.
+fn each<'a>(
+    members: Range<usize>,
+    masses: &'a [Masses],
+    terms: &'a [Terms<Lane>],
+) -> impl Iterator<Item = (usize, Terms<Real>)> + 'a {
+    let end = members.end;
+    let chunks = members.step_by(LANES).zip(masses.iter().zip(terms));
+    chunks.filter(|(_, (masses, _))| masses.is_open).flat_map(move |(first, (_, terms))| {
+        let indices = first..end.min(first + LANES);
+        indices.map(move |index| (index, terms.map(|lanes| lanes.0[index - first])))
+    })
 }
 
 /// Returns whether something other than the energy of its bodies drives a contact.
@@ -410,7 +462,7 @@ struct Measure<'a> {
     masses: &'a [Masses],
     states: &'a [BodyState],
     before: &'a [BodyState],
-    terms: &'a mut [[Lane; 3]],
+    terms: &'a mut [Terms<Lane>],
 }
 
 impl Kernel for Measure<'_> {
@@ -431,6 +483,7 @@ impl Kernel for Measure<'_> {
             (t * W::splat(0.5)).store(&mut terms[0]);
             (old.linear.dot(p) + wide_ang_dot(old.angular, l)).store(&mut terms[1]);
             (change.linear.dot(p) + wide_ang_dot(change.angular, l)).store(&mut terms[2]);
+            terms[3] = masses.mass;
         }
     }
 }

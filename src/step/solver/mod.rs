@@ -295,12 +295,12 @@ impl Constraints {
     /// Makes an entry in the ledger of energy, and takes back the impulses that exceed it.
     fn enter(&mut self, entry: Entry, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let Self { joints, contacts, ledger, .. } = self;
-        if entry == Entry::Start {
+        if entry == Entry::Start && ledger.is_active() {
             joints.note_totals();
         }
         if ledger.enter(entry, bodies, pass) {
             joints.limit(ledger, entry, bodies);
-            contacts.limit(ledger, bodies);
+            contacts.limit(ledger, entry, bodies);
         }
     }
 

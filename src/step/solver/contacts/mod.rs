@@ -10,7 +10,7 @@ mod store_impulses;
 use super::blocks::{Layout, OverflowOrder, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
 use super::context::{ImpulseOutput, SolverPass, SolverSettings};
-use super::ledger::{Ledger, deep_overlap};
+use super::ledger::{Entry, Ledger, deep_overlap};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Wide};
@@ -109,7 +109,7 @@ impl SolverContacts {
 
     /// Notes deep overlaps and driven contacts.
     pub fn note_in(&self, ledger: &mut Ledger, bodies: &SolverBodies, pass: &SolverPass<'_>) {
-        let deep = deep_overlap(&pass.contacts);
+        let deep = self.has_deep_overlap.then(|| deep_overlap(&pass.contacts));
         // Blocks beyond the colour's count keep the data of an earlier step.
         for index in self.layout.colors().iter().flat_map(Clone::clone) {
             let (block, input) = (&self.blocks[index], &self.lanes.blocks[index].input);
@@ -143,11 +143,14 @@ impl SolverContacts {
     }
 
     /// Leaves all islands the fractions of their impulses that they keep.
-    pub fn limit(&mut self, ledger: &Ledger, bodies: &SolverBodies) {
+    pub fn limit(&mut self, ledger: &Ledger, entry: Entry, bodies: &SolverBodies) {
         // Blocks that no colour fills name bodies of an earlier step.
         for index in self.layout.colors().iter().flat_map(Clone::clone) {
             let block = &mut self.blocks[index];
             if let Some(factors) = ledger.kept_by(&block.bodies, bodies) {
+                if entry == Entry::End {
+                    scale_totals(block, &factors);
+                }
                 block.scale_impulses(&factors);
                 self.coulomb.get_mut(index).into_iter().for_each(|it| it.scale_impulses(&factors));
             }
@@ -306,6 +309,14 @@ impl Kernel for Prepare<'_> {
             }
         }
         W::any(least.lt(W::splat(-self.deep)))
+    }
+}
+
+/// Scales what this substep has added to the sums of impulses.
+fn scale_totals(block: &mut ContactBlock, factors: &Lane) {
+    for (total, point) in block.totals.iter_mut().zip(&block.points) {
+        let lanes = total.0.iter_mut().zip(point.impulse.0).zip(factors.0);
+        lanes.for_each(|((total, impulse), factor)| *total -= impulse * (1.0 - factor));
     }
 }
 

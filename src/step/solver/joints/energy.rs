@@ -44,7 +44,7 @@ impl SolverJoints {
     /// Notes the islands of all joints, and what drives them.
     pub fn note_in(&self, ledger: &mut Ledger, bodies: &SolverBodies) {
         for member in &self.members {
-            ledger.note_joint(bodies.island_of(member.bodies), is_carried(member.bodies, bodies));
+            ledger.note_joint(member.bodies, is_carried(member.bodies, bodies), bodies);
         }
         for block in &self.blocks {
             let rows = &self.rows[block.axis_rows()];
