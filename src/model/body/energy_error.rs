@@ -9,7 +9,7 @@ use crate::dim::math::Real;
 pub(crate) struct EnergyError {
     /// The energy (J). It is negative if the errors took energy away.
     pub added: Real,
-    /// Whether the errors exceeded their bound, and have not been compensated since.
+    /// Whether the last step took back impulses that added energy.
     pub is_exceeded: bool,
 }
 

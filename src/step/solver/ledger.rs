@@ -1,4 +1,4 @@
-//! The ledger of an island's kinetic energy: impulses of a substep must not increase it.
+//! The ledger of an island's kinetic energy: impulses of a substep must not increase it, within a bound.
 //!
 //! Contacts without restitution, locked axes, limits and dampers do no positive work. Let `v` be the
 //! velocities before any impulse of a substep. The exact solution is the projection of `v` on the admissible
@@ -15,16 +15,16 @@
 //! T(v + θ Δv) = T(v) + θ b + θ² a / 2        b = ⟨v, Δv⟩,   a = ⟨Δv, Δv⟩       (metric of the kinetic energy)
 //! ```
 //!
-//! The island keeps the largest fraction `θ ≤ 1` with which `T` does not exceed its bound. A fraction of
-//! impulses conserves momentum, pushes and does not pull, and satisfies the law of friction, as all of them
-//! do. The next substep starts with the same fraction.
+//! The suspects, bodies with joints or deep contacts, keep the largest fraction `θ ≤ 1` of their impulses
+//! with which the `T` of the island does not exceed its bound. A fraction of impulses conserves momentum,
+//! does not pull, and stays within the cone of friction, as all of them do. The next substep starts with the
+//! same fraction.
 //!
 //! ## Entries of a substep
 //! * *Start*: the impulses of the last substep are bounded by `2 T(v)`. Where they balance forces, they
 //!   reduce the energy.
 //! * *Correction*: those of the solve pass, which corrects errors by velocities, by `2 T(v)` and the energy
-//!   of all bodies at the largest speed of a correction. Without a bound, a joint that is half a metre off
-//!   moves light bodies by several metres in a substep.
+//!   of all bodies at the largest speed of a correction.
 //! * *End*: after the relax pass, by `T(v)` of the start and the rest of the balance. A balance adds the
 //!   gains up, and is at most [`ERROR_MAX`] of the energy. Energy that is lost beyond that does not return.
 //!

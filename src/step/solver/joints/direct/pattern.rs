@@ -21,8 +21,8 @@ const NET_JOINTS_PER_BODY_MAX: usize = 6;
 
 /// Numbers of joints of unattached components with moderate mass ratios that are solved iteratively:
 /// ragdolls. They carry no load for long, and a force passes through them in some substeps. Fewer joints cost
-/// little, and keep the energy of rotating components. Iterations that add energy have not converged: until
-/// that energy is lost again, the component is solved directly.
+/// little, and keep the energy of rotating components. Iterations that add energy have not converged: the
+/// component is solved directly in the next step.
 const UNATTACHED_JOINT_COUNTS: RangeInclusive<usize> = 6..=24;
 const MASS_RATIO_MODERATE_MAX: Real = 32.0;
 
@@ -40,7 +40,7 @@ pub(in super::super) struct DirectJoint {
     pub inv_masses: [Real; 2],
     /// Whether a body has both locked and free axes of its own.
     pub has_locked_body: bool,
-    /// Whether the errors of its island exceed the bound of the energy: see `solver/ledger.rs`.
+    /// Whether the last step took back impulses in its island: see `solver/ledger.rs`.
     pub is_strained: bool,
     pub form: JointForm,
     /// Number of its rows of locked axes.
@@ -73,17 +73,7 @@ impl DirectJoint {
         let inv_masses = ends.map(|end| end.map_or(0.0, |pose| pose.inv_mass().max_element()));
         let has_locked_body = ends.into_iter().flatten().any(BodyPose::has_locked_axis);
         let locked_row_count = form.row_count() as u8;
-        Self {
-            slot,
-            block: 0,
-            lane: 0,
-            bodies,
-            inv_masses,
-            has_locked_body,
-            is_strained: false,
-            form,
-            locked_row_count,
-        }
+        Self { slot, bodies, inv_masses, has_locked_body, form, locked_row_count, ..Self::NONE }
     }
 
     /// Returns whether there is a joint.
