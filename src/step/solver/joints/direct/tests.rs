@@ -54,6 +54,7 @@ impl Net {
                 lane,
                 bodies,
                 inv_masses,
+                is_strained: false,
                 has_locked_body,
                 form,
                 locked_row_count,
