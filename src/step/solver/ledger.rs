@@ -15,10 +15,10 @@
 //! T(v + θ Δv) = T(v) + θ b + θ² a / 2        b = ⟨v, Δv⟩,   a = ⟨Δv, Δv⟩       (metric of the kinetic energy)
 //! ```
 //!
-//! The suspects, bodies with joints or deep contacts, keep the largest fraction `θ ≤ 1` of their impulses
-//! with which the `T` of the island does not exceed its bound. A fraction of impulses conserves momentum,
-//! does not pull, and stays within the cone of friction, as all of them do. The next substep starts with the
-//! same fraction.
+//! The suspects, bodies of islands with joints and bodies with deep contacts, keep the largest fraction `θ ≤
+//! 1` of their impulses with which the `T` of the island does not exceed its bound. A fraction of impulses
+//! conserves momentum, does not pull, and stays within the cone of friction, as all of them do. The next
+//! substep starts with the same fraction.
 //!
 //! ## Entries of a substep
 //! * *Start*: the impulses of the last substep are bounded by `2 T(v)`. Where they balance forces, they
@@ -195,7 +195,8 @@ pub(super) struct Ledger {
     terms: Vec<Terms<Lane>>,
     /// By island: the sums of the terms, of all bodies and of suspects.
     sums: Vec<[UnorderedSum; 8]>,
-    /// By index of a body: whether it has joints or deep contacts, and may have to return impulses.
+    /// By index of a body: whether its island has joints or it has deep contacts, and it may have to return
+    /// impulses.
     is_suspect: Vec<bool>,
     /// The same for deep contacts alone.
     is_deep: Vec<bool>,
@@ -261,9 +262,6 @@ impl Ledger {
         if let Some(account) = self.accounts.get_mut(bodies.island_of(pair) as usize) {
             account.has_joints = true;
             account.is_driven |= is_driven;
-            for body in pair.into_iter().filter(|body| body & READ_ONLY == 0) {
-                self.is_suspect[body as usize] = true;
-            }
         }
     }
 
@@ -315,6 +313,8 @@ impl Ledger {
                 let pose = &bodies.poses[index];
                 let inv_mass = pose.inv_mass().max_element();
                 let mass = if inv_mass > 0.0 { 1.0 / inv_mass } else { 0.0 };
+                // Impulses act on pairs: joints and contacts of their bodies return the same fraction.
+                self.is_suspect[index] |= account.has_joints;
                 if self.is_suspect[index] {
                     // Islands that merge have the worse balance.
                     let added = f64::from(bodies.energy_errors[index].added);
