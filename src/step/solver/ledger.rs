@@ -17,12 +17,12 @@
 //!
 //! The suspects, bodies of islands with joints and bodies with deep contacts, keep the largest fraction `θ ≤
 //! 1` of their impulses with which the `T` of the island does not exceed its bound. A fraction of impulses
-//! conserves momentum, does not pull, and stays within the cone of friction, as all of them do. The next
-//! substep starts with the same fraction.
+//! conserves momentum (except at contacts of deep bodies with others), does not pull, and stays within the
+//! cone of friction. The next substep starts with the same fraction.
 //!
 //! ## Entries of a substep
-//! * *Start*: the impulses of the last substep are bounded by `2 T(v)`. Where they balance forces, they
-//!   reduce the energy.
+//! * *Start*: the impulses of the last substep are bounded by `2 T(v)`. Impulses that balance forces reduce
+//!   the energy.
 //! * *Correction*: those of the solve pass, which corrects errors by velocities, by `2 T(v)` and the energy
 //!   of all bodies at the largest speed of a correction.
 //! * *End*: after the relax pass, by `T(v)` of the start and the rest of the balance. A balance adds the
@@ -39,6 +39,7 @@
 
 use super::bodies::SolverBodies;
 use super::context::SolverPass;
+use super::island_sums::UnorderedSum;
 use super::states::load_states;
 use crate::base::wide::{Kernel, LANES, Lane, Wide};
 use crate::dim::contact::ContactBlock;
@@ -123,6 +124,12 @@ impl Account {
         (self.has_joints || self.deep_contacts > self.deep_bodies) && !self.is_driven
     }
 
+    /// Returns whether a body may have to return impulses. Impulses act on pairs: all bodies of an island with
+    /// joints return the same fraction.
+    fn suspects(&self, is_deep: bool) -> bool {
+        self.has_joints || is_deep
+    }
+
     /// Makes an entry for corrections of up to these velocities of joints and of contacts.
     fn enter(&mut self, entry: Entry, speeds: [f64; 2]) {
         let [of_joints, of_contacts] = speeds;
@@ -195,41 +202,9 @@ pub(super) struct Ledger {
     terms: Vec<Terms<Lane>>,
     /// By island: the sums of the terms, of all bodies and of suspects.
     sums: Vec<[UnorderedSum; 8]>,
-    /// By index of a body: whether its island has joints or it has deep contacts, and it may have to return
-    /// impulses.
-    is_suspect: Vec<bool>,
-    /// The same for deep contacts alone.
+    /// By index of a body: whether it is among the [deep bodies](Account::deep_bodies).
     is_deep: Vec<bool>,
     is_active: bool,
-}
-
-/// A sum that does not depend on the order of its terms: each is rounded to a multiple of a fraction of the
-/// largest one. (The order of bodies depends on the rest of the world.)
-#[derive(Copy, Clone, Debug, Default)]
-struct UnorderedSum {
-    largest: f64,
-    /// The sum in units of [`SUM_UNIT`] of the largest term.
-    units: i64,
-}
-
-/// A unit of sums as a fraction of the largest term: 2²² terms fit into a sum.
-const SUM_UNIT: f64 = 1.0 / (1_u64 << 40) as f64;
-
-impl UnorderedSum {
-    fn include(&mut self, term: f64) {
-        self.largest = self.largest.max(term.abs());
-    }
-
-    /// Adds a term that is included.
-    fn add(&mut self, term: f64) {
-        if self.largest > 0.0 {
-            self.units += (term / (self.largest * SUM_UNIT)).round() as i64;
-        }
-    }
-
-    fn value(self) -> f64 {
-        self.units as f64 * (self.largest * SUM_UNIT)
-    }
 }
 
 impl Ledger {
@@ -243,10 +218,8 @@ impl Ledger {
         self.accounts.clear();
         let empty = Account { balance: f64::NEG_INFINITY, ..Account::default() };
         self.accounts.resize(bodies.island_bound(), empty);
-        for list in [&mut self.is_deep, &mut self.is_suspect] {
-            list.clear();
-            list.resize(bodies.states.len(), false);
-        }
+        self.is_deep.clear();
+        self.is_deep.resize(bodies.states.len(), false);
         self.is_active = true;
     }
 
@@ -289,7 +262,6 @@ impl Ledger {
                 for body in pair.into_iter().filter(|body| body & READ_ONLY == 0) {
                     let was_deep = core::mem::replace(&mut self.is_deep[body as usize], true);
                     account.deep_bodies += usize::from(!was_deep);
-                    self.is_suspect[body as usize] = true;
                 }
             }
             account.is_driven |= is_driven(pair, lane, input, bodies);
@@ -313,9 +285,7 @@ impl Ledger {
                 let pose = &bodies.poses[index];
                 let inv_mass = pose.inv_mass().max_element();
                 let mass = if inv_mass > 0.0 { 1.0 / inv_mass } else { 0.0 };
-                // Impulses act on pairs: joints and contacts of their bodies return the same fraction.
-                self.is_suspect[index] |= account.has_joints;
-                if self.is_suspect[index] {
+                if account.suspects(self.is_deep[index]) {
                     // Islands that merge have the worse balance.
                     let added = f64::from(bodies.energy_errors[index].added);
                     account.balance = account.balance.max(added);
@@ -326,11 +296,6 @@ impl Ledger {
             }
             masses.push(all);
         }
-    }
-
-    /// Returns whether any account is open.
-    pub fn is_active(&self) -> bool {
-        self.is_active
     }
 
     /// Makes an entry. Returns whether any island must not keep all of its impulses.
@@ -365,7 +330,7 @@ impl Ledger {
 
     /// Sums up the terms of the bodies of each island.
     fn measure(&mut self, bodies: &SolverBodies, pass: &SolverPass<'_>) {
-        let Self { accounts, members, masses, terms, sums, is_suspect, .. } = self;
+        let Self { accounts, members, masses, terms, sums, is_deep, .. } = self;
         let (states, before) = (&bodies.states[members.clone()], &bodies.before[members.clone()]);
         terms.clear();
         terms.resize(masses.len(), [Lane::ZERO; 4]);
@@ -374,15 +339,14 @@ impl Ledger {
         sums.resize(accounts.len(), Default::default());
         for visit in [UnorderedSum::include as fn(&mut _, _), UnorderedSum::add] {
             for (index, terms) in each(members.clone(), masses, terms) {
-                let Some(sums) = sums.get_mut(bodies.islands[index] as usize) else { continue };
-                let (all, suspects) = sums.split_at_mut(4);
-                all.iter_mut().zip(terms).for_each(|(sum, term)| visit(sum, f64::from(term)));
-                if is_suspect[index] {
-                    suspects
-                        .iter_mut()
-                        .zip(terms)
-                        .for_each(|(sum, term)| visit(sum, f64::from(term)));
-                }
+                let island = bodies.islands[index] as usize;
+                let (Some(account), Some(sums)) = (accounts.get(island), sums.get_mut(island))
+                else {
+                    continue;
+                };
+                let count = if account.suspects(is_deep[index]) { sums.len() } else { terms.len() };
+                let terms = terms.iter().chain(&terms).map(|term| f64::from(*term));
+                sums[..count].iter_mut().zip(terms).for_each(|(sum, term)| visit(sum, term));
             }
         }
         for (account, sums) in accounts.iter_mut().zip(sums) {
@@ -409,14 +373,15 @@ impl Ledger {
     }
 
     fn kept_by_body(&self, index: u32, bodies: &SolverBodies) -> Real {
-        if index & READ_ONLY != 0 || !self.is_suspect[index as usize] {
+        if index & READ_ONLY != 0 {
             return 1.0;
         }
         let account = self.accounts.get(bodies.islands[index as usize] as usize);
+        let account = account.filter(|account| account.suspects(self.is_deep[index as usize]));
         account.map_or(1.0, |account| account.kept)
     }
 
-    /// The fractions of their impulses that constraints of these bodies keep, if not all of them.
+    /// The fractions of impulses that constraints of these bodies keep, unless these keep all impulses.
     pub fn kept_by(&self, pairs: &[[u32; LANES]; 2], bodies: &SolverBodies) -> Option<Lane> {
         let mut factors = Lane::splat(1.0);
         for (lane, factor) in factors.0.iter_mut().enumerate() {

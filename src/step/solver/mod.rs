@@ -292,12 +292,9 @@ impl Constraints {
         limited
     }
 
-    /// Makes an entry in the ledger of energy, and takes back the impulses that exceed it.
+    /// Makes an entry in the ledger of energy, and takes back impulses that exceed the bound.
     fn enter(&mut self, entry: Entry, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let Self { joints, contacts, ledger, .. } = self;
-        if entry == Entry::Start && ledger.is_active() {
-            joints.note_totals();
-        }
         if ledger.enter(entry, bodies, pass) {
             joints.limit(ledger, entry, bodies);
             contacts.limit(ledger, entry, bodies);

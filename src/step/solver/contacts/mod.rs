@@ -149,7 +149,7 @@ impl SolverContacts {
             let block = &mut self.blocks[index];
             if let Some(factors) = ledger.kept_by(&block.bodies, bodies) {
                 if entry == Entry::End {
-                    scale_totals(block, &factors);
+                    take_off_totals(block, &factors);
                 }
                 block.scale_impulses(&factors);
                 self.coulomb.get_mut(index).into_iter().for_each(|it| it.scale_impulses(&factors));
@@ -312,11 +312,11 @@ impl Kernel for Prepare<'_> {
     }
 }
 
-/// Scales what this substep has added to the sums of impulses.
-fn scale_totals(block: &mut ContactBlock, factors: &Lane) {
+/// Takes the rest of this substep's impulses off the sums, if these fractions are kept.
+fn take_off_totals(block: &mut ContactBlock, kept: &Lane) {
     for (total, point) in block.totals.iter_mut().zip(&block.points) {
-        let lanes = total.0.iter_mut().zip(point.impulse.0).zip(factors.0);
-        lanes.for_each(|((total, impulse), factor)| *total -= impulse * (1.0 - factor));
+        let lanes = total.0.iter_mut().zip(point.impulse.0).zip(kept.0);
+        lanes.for_each(|((total, impulse), kept)| *total -= impulse * (1.0 - kept));
     }
 }
 

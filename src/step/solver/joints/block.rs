@@ -58,9 +58,8 @@ pub(super) struct JointBlock {
     /// Sums over all substeps: the impulse, and its moment about `p`.
     pub total_impulse: WideVector<Lane>,
     pub total_moment: WideAngVector<Lane>,
-    /// The same until this substep's solution.
-    pub earlier_impulse: WideVector<Lane>,
-    pub earlier_moment: WideAngVector<Lane>,
+    /// The moment of this substep, which is part of the sum.
+    pub substep_moment: WideAngVector<Lane>,
     /// Range of the block's rows of free axes.
     pub first_row: usize,
     pub row_count: usize,
@@ -98,8 +97,7 @@ impl JointBlock {
             angvel_change: [ANG_ZERO_LANES; 2],
             total_impulse: vector,
             total_moment: ANG_ZERO_LANES,
-            earlier_impulse: vector,
-            earlier_moment: ANG_ZERO_LANES,
+            substep_moment: ANG_ZERO_LANES,
             first_row: 0,
             row_count: 0,
             is_exact: false,
@@ -120,25 +118,11 @@ impl JointBlock {
         if first & READ_ONLY == 0 { first } else { second & !READ_ONLY }
     }
 
-    /// Notes the sums over all substeps before this one.
-    pub fn note_totals(&mut self) {
-        (self.earlier_impulse, self.earlier_moment) = (self.total_impulse, self.total_moment);
-    }
-
-    /// Scales what this substep has added to the sums.
-    pub fn scale_totals(&mut self, factors: &Lane) {
-        for (lane, factor) in factors.0.into_iter().enumerate() {
-            let earlier = self.earlier_impulse.lane(lane);
-            let added = self.total_impulse.lane(lane) - earlier;
-            self.total_impulse.set_lane(lane, earlier + added * factor);
-            let earlier = ang_lane(&self.earlier_moment, lane);
-            let added = ang_lane(&self.total_moment, lane) - earlier;
-            set_ang_lane(&mut self.total_moment, lane, earlier + added * factor);
+    /// Scales the impulses of this substep, and their part of the sums over all substeps if these include it.
+    pub fn scale_impulses(&mut self, factors: &Lane, are_counted: bool) {
+        if are_counted {
+            self.take_off_totals(factors);
         }
-    }
-
-    /// Scales the impulses with which the next substep starts.
-    pub fn scale_impulses(&mut self, factors: &Lane) {
         self.impulses.iter_mut().for_each(|impulse| scale(impulse, factors));
         let Wrench { linear, angular } = &mut self.applied;
         for (lane, factor) in factors.0.into_iter().enumerate() {
@@ -146,6 +130,17 @@ impl JointBlock {
             for value in angular.iter_mut().chain(&mut self.angvel_change) {
                 set_ang_lane(value, lane, ang_lane(value, lane) * factor);
             }
+        }
+    }
+
+    /// Takes the rest of this substep's impulses off the sums, if these fractions are kept.
+    fn take_off_totals(&mut self, kept: &Lane) {
+        for (lane, kept) in kept.0.into_iter().enumerate() {
+            let impulse = self.applied.linear.lane(lane) * (1.0 - kept);
+            self.total_impulse.set_lane(lane, self.total_impulse.lane(lane) - impulse);
+            let moment = ang_lane(&self.substep_moment, lane) * (1.0 - kept);
+            let rest = ang_lane(&self.total_moment, lane) - moment;
+            set_ang_lane(&mut self.total_moment, lane, rest);
         }
     }
 }

@@ -192,7 +192,7 @@ impl SolverJoints {
         });
         let factor = pass.params.warmstart_coefficient;
         if factor != 1.0 {
-            self.scale_impulses(|_| Some(Lane::splat(factor)));
+            self.scale_impulses(|_| Some(Lane::splat(factor)), false);
         }
     }
 

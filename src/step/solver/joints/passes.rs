@@ -471,6 +471,7 @@ fn add_to_totals<W: Wide>(block: &mut JointBlock, geometry: &Geometry<W>, wrench
     impulse.store(&mut block.total_impulse);
     let total = load_ang::<W>(&block.total_moment) + moment;
     store_ang(total, &mut block.total_moment);
+    store_ang(moment, &mut block.substep_moment);
 }
 
 /// Notes the couple of the angular impulses in the first frame, where it means the same in the next step.

@@ -286,6 +286,7 @@ pub(in super::super) fn finish<W: Wide>(
     driven: &[DrivenRow],
     is_last_of_substep: bool,
 ) {
+    let earlier = load_ang::<W>(&block.total_moment);
     match block.locks_rotations {
         true => finish_locked::<W, SPATIAL_DIM>(block, from, is_last_of_substep),
         false => finish_locked::<W, DIM>(block, from, is_last_of_substep),
@@ -309,6 +310,10 @@ pub(in super::super) fn finish<W: Wide>(
             let total = WideVector::load(&block.total_impulse) + added.linear;
             total.store(&mut block.total_impulse);
         }
+    }
+    if is_last_of_substep {
+        let added = load_ang::<W>(&block.total_moment) - earlier;
+        store_ang(load_ang::<W>(&block.substep_moment) + added, &mut block.substep_moment);
     }
 }
 

@@ -55,17 +55,13 @@ impl PointToPointBlock {
         frame: WideRotation::IDENTITY,
     };
 
-    /// Scales what this substep has added to the sum over all of them: the impulse.
-    pub fn scale_totals(&mut self, factors: &Lane) {
+    /// Scales the impulses of this substep, and their part of the sum over all substeps if it includes these.
+    pub fn scale_impulses(&mut self, factors: &Lane, are_counted: bool) {
         for (lane, factor) in factors.0.into_iter().enumerate() {
-            let removed = self.impulse.lane(lane) * (1.0 - factor);
-            self.total.set_lane(lane, self.total.lane(lane) - removed);
-        }
-    }
-
-    /// Scales the impulses with which the next substep starts.
-    pub fn scale_impulses(&mut self, factors: &Lane) {
-        for (lane, factor) in factors.0.into_iter().enumerate() {
+            if are_counted {
+                let removed = self.impulse.lane(lane) * (1.0 - factor);
+                self.total.set_lane(lane, self.total.lane(lane) - removed);
+            }
             self.impulse.set_lane(lane, self.impulse.lane(lane) * factor);
             for turned in &mut self.turned {
                 set_ang_lane(turned, lane, ang_lane(turned, lane) * factor);

@@ -103,17 +103,16 @@ impl PointToPointJoints {
         });
     }
 
-    /// Scales what this substep has added to the sums over all of them.
-    pub fn scale_totals(&mut self, kept_by: impl Fn(&[[u32; LANES]; 2]) -> Option<Lane>) {
-        for block in &mut self.blocks {
-            kept_by(&block.bodies).iter().for_each(|factors| block.scale_totals(factors));
-        }
-    }
-
     /// Scales impulses by the fraction, if any, that the constraints of a block of bodies keep.
-    pub fn scale_impulses(&mut self, kept_by: impl Fn(&[[u32; LANES]; 2]) -> Option<Lane>) {
+    /// `are_counted`: whether the sums over all substeps include the impulses.
+    pub fn scale_impulses(
+        &mut self,
+        kept_by: impl Fn(&[[u32; LANES]; 2]) -> Option<Lane>,
+        are_counted: bool,
+    ) {
         for block in &mut self.blocks {
-            kept_by(&block.bodies).iter().for_each(|factors| block.scale_impulses(factors));
+            let kept = kept_by(&block.bodies);
+            kept.iter().for_each(|kept| block.scale_impulses(kept, are_counted));
         }
     }
 

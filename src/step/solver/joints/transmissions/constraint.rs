@@ -30,8 +30,6 @@ pub(super) struct Constraint {
     pub applied: [SpatialVector; 2],
     /// Sums over all substeps: impulse and couple on the second body.
     pub total: (Vector, AngVector),
-    /// The same until this substep's solution.
-    pub earlier: (Vector, AngVector),
 }
 
 /// Fills one lane of a block and its row.
@@ -68,9 +66,7 @@ pub(super) fn load_lane(
     }
     let (applied, total) = ([[0.0; SPATIAL_DIM]; 2], (Vector::ZERO, ANG_ZERO));
     let is_blocked = [false; 2];
-    let earlier = total;
-    let constraint =
-        Constraint { slot, bodies, ends, counted, now, is_blocked, applied, total, earlier };
+    let constraint = Constraint { slot, bodies, ends, counted, now, is_blocked, applied, total };
     constraint.note_pull(block, lane, impulse(row, lane));
     Some(constraint)
 }
@@ -85,6 +81,13 @@ impl Constraint {
                 self.now[side].force = Vector::ZERO;
             }
         }
+    }
+
+    /// Adds an impulse along the present row to the sums over all substeps.
+    pub fn count_impulse(&mut self, impulse: Real) {
+        let [_, second] = self.now;
+        self.total.0 += second.force * impulse;
+        self.total.1 += second.couple * impulse;
     }
 
     /// Blocks the ends that can reach their points within a time `h` with the velocities at the end of a

@@ -152,39 +152,23 @@ impl Transmissions {
         }
     }
 
-    /// Notes the sums over all substeps before this one.
-    pub fn note_totals(&mut self) {
-        self.list.iter_mut().for_each(|constraint| constraint.earlier = constraint.total);
-    }
-
-    /// Scales what this substep has added to the sums.
-    pub fn scale_totals(
-        &mut self,
-        blocks: &[JointBlock],
-        kept_by: impl Fn(&[[u32; LANES]; 2]) -> Option<Lane>,
-    ) {
-        for index in 0..self.list.len() {
-            let Place { block, lane, .. } = self.place(index);
-            if let Some(factors) = kept_by(&blocks[block].bodies) {
-                let Constraint { total, earlier, .. } = &mut self.list[index];
-                let kept = factors.0[lane];
-                total.0 = earlier.0 + (total.0 - earlier.0) * kept;
-                total.1 = earlier.1 + (total.1 - earlier.1) * kept;
-            }
-        }
-    }
-
-    /// Scales the effect of impulses by the fraction, if any, that the constraints of a block of bodies keep.
+    /// Scales the effect of impulses by the fraction, if any, that the constraints of a block of bodies keep,
+    /// and their part of the sums over all substeps if these include it.
     pub fn scale_impulses(
         &mut self,
-        blocks: &[JointBlock],
+        (blocks, rows): (&[JointBlock], &[AxisRow]),
         kept_by: impl Fn(&[[u32; LANES]; 2]) -> Option<Lane>,
+        are_counted: bool,
     ) {
         for index in 0..self.list.len() {
-            let Place { block, lane, .. } = self.place(index);
-            if let Some(factors) = kept_by(&blocks[block].bodies) {
-                let changes = self.list[index].applied.iter_mut().flatten();
-                changes.for_each(|change| *change *= factors.0[lane]);
+            let Place { block, row, lane } = self.place(index);
+            let Some(kept) = kept_by(&blocks[block].bodies).map(|kept| kept.0[lane]) else {
+                continue;
+            };
+            let constraint = &mut self.list[index];
+            constraint.applied.iter_mut().flatten().for_each(|change| *change *= kept);
+            if are_counted {
+                constraint.count_impulse(impulse(&rows[row], lane) * (kept - 1.0));
             }
         }
     }
@@ -316,9 +300,7 @@ impl Transmissions {
             }
             if let Some((states, h)) = last_of_substep {
                 row.motor.rate.0[lane] = from.rate.0[lane];
-                let (given, [_, second]) = (impulse(row, lane), constraint.now);
-                constraint.total.0 += second.force * given;
-                constraint.total.1 += second.couple * given;
+                constraint.count_impulse(impulse(row, lane));
                 constraint.block_ends(states, h);
             }
             constraint.note_pull(block, lane, impulse(row, lane));
