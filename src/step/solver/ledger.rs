@@ -124,8 +124,8 @@ impl Account {
         (self.has_joints || self.deep_contacts > self.deep_bodies) && !self.is_driven
     }
 
-    /// Returns whether a body may have to return impulses. Impulses act on pairs: all bodies of an island with
-    /// joints return the same fraction.
+    /// Returns whether a body may have to return impulses. Impulses act on pairs: all bodies of an island
+    /// with joints return the same fraction.
     fn suspects(&self, is_deep: bool) -> bool {
         self.has_joints || is_deep
     }
