@@ -27,14 +27,20 @@ impl UnorderedSum {
 
     /// Adds a term that is included.
     pub fn add(&mut self, term: f64) {
-        if self.largest > 0.0 {
-            self.units += (term / (self.largest * UNIT)).round() as i64;
+        let unit = self.unit();
+        // The unit of numbers close to the smallest one is zero, and that of infinities is infinite.
+        if unit.is_normal() {
+            self.units += (term / unit).round() as i64;
         }
     }
 
     /// The sum of all terms that were added.
     pub fn value(self) -> f64 {
-        self.units as f64 * (self.largest * UNIT)
+        self.units as f64 * self.unit()
+    }
+
+    fn unit(self) -> f64 {
+        self.largest * UNIT
     }
 }
 
@@ -76,6 +82,21 @@ impl<const N: usize> IslandSums<N> {
 mod tests {
     use super::*;
     use crate::base::random::Random;
+
+    #[test]
+    fn sums_of_extreme_terms_do_not_overflow() {
+        let sum = |terms: &[f64]| {
+            let mut sum = UnorderedSum::default();
+            terms.iter().for_each(|&term| sum.include(term));
+            terms.iter().for_each(|&term| sum.add(term));
+            sum.value()
+        };
+        assert_eq!(sum(&[5e-324; 3]), 0.0);
+        assert_eq!(sum(&[1e-290; 3]), 3.0 * 1e-290);
+        assert_eq!(sum(&[1e300, -1e300, 1e300]), 1e300);
+        assert!(!sum(&[f64::INFINITY, f64::INFINITY]).is_finite());
+        assert!(sum(&[f64::NAN, 1.0]).is_finite());
+    }
 
     /// Terms of very different sizes, whose sum depends on their order.
     #[test]
