@@ -4,7 +4,9 @@
 //! only there.
 
 use super::welds::WeldGroups;
-use super::{GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, JointEnabled};
+use super::{
+    GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, JointEnabled, JointMotor,
+};
 use crate::base::fault::{Fault, ensure};
 use crate::base::in_place::clone_in_place;
 use crate::dim::joint_axes::JointAxesMask;
@@ -28,6 +30,8 @@ pub(crate) struct JointForm {
     pub is_weld: bool,
     /// Whether it is a [`Transmission`](super::Transmission).
     pub is_transmission: bool,
+    /// Whether springs or motors may do work on its bodies. Dampers that stop an axis do none.
+    pub does_work: bool,
 }
 
 impl JointForm {
@@ -41,7 +45,9 @@ impl JointForm {
         let driven = if drives.is_empty() { 0 } else { joint.driven_axes().count() as u8 };
         let locked = joint.locked_axes.bits();
         let is_weld = joint.locked_axes.is_all() && joint.spring().is_none();
-        Self { locked, driven, is_point_to_point, is_weld, is_transmission }
+        let mut motors = joint.driven_axes().filter_map(|axis| joint.motor(axis));
+        let does_work = joint.spring().is_some() || motors.any(JointMotor::does_work);
+        Self { locked, driven, is_point_to_point, is_weld, is_transmission, does_work }
     }
 
     /// Returns whether it locks a rotation.

@@ -88,6 +88,12 @@ impl Default for JointMotor {
 }
 
 impl JointMotor {
+    /// Returns whether it may do positive work on its bodies. A damper that stops its axis does none.
+    pub(crate) fn does_work(&self) -> bool {
+        let drives = self.stiffness > 0.0 || self.damping * self.target_vel != 0.0;
+        drives && self.max_force > 0.0
+    }
+
     /// Returns whether all numbers are usable.
     pub(crate) fn check(&self) -> Result<(), InvalidJoint> {
         let finite = |parameter, value: Real| match value.is_finite() {

@@ -187,13 +187,6 @@ pub(super) struct MotorRow {
     pub is_alone: Lane,
 }
 
-impl MotorRow {
-    /// Returns whether it may do work: a damper that stops its axis does none.
-    pub fn drives(&self, lane: usize) -> bool {
-        self.stiffness.0[lane] > 0.0 || self.damping.0[lane] * self.target_vel.0[lane] != 0.0
-    }
-}
-
 impl AxisRow {
     /// No axis in any lane.
     pub const EMPTY: Self = {

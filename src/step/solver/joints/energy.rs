@@ -30,19 +30,11 @@ impl SolverJoints {
         }
     }
 
-    /// Notes the islands of all joints, and motors, springs and moving bodies that drive the joints.
+    /// Notes the islands of all joints, and springs, motors and moving bodies that drive the joints.
     pub fn note_in(&self, ledger: &mut Ledger, bodies: &SolverBodies) {
         for member in &self.members {
-            ledger.note_joint(member.bodies, is_carried(member.bodies, bodies), bodies);
-        }
-        for block in &self.blocks {
-            let rows = &self.rows[block.axis_rows()];
-            for lane in 0..LANES {
-                let pair = block.bodies.map(|bodies| bodies[lane]);
-                if block.is_spring.0[lane] > 0.0 || rows.iter().any(|row| row.motor.drives(lane)) {
-                    ledger.leave_out(bodies.island_of(pair));
-                }
-            }
+            let is_driven = member.form.does_work || is_carried(member.bodies, bodies);
+            ledger.note_joint(member.bodies, is_driven, bodies);
         }
     }
 }

@@ -22,7 +22,8 @@ const NET_JOINTS_PER_BODY_MAX: usize = 6;
 /// Numbers of joints of unattached components with moderate mass ratios that are solved iteratively:
 /// ragdolls. They carry no load for long, and a force passes through them in some substeps. Fewer joints cost
 /// little, and keep the energy of rotating components. Iterations that add energy have not converged: the
-/// component is solved directly in the next step.
+/// component is solved directly in the next step. Springs and motors carry loads, and those that are stiffer
+/// than iterations can follow would add energy.
 const UNATTACHED_JOINT_COUNTS: RangeInclusive<usize> = 6..=24;
 const MASS_RATIO_MODERATE_MAX: Real = 32.0;
 
@@ -63,6 +64,7 @@ impl DirectJoint {
             is_point_to_point: false,
             is_weld: false,
             is_transmission: false,
+            does_work: false,
         },
         locked_row_count: 0,
     };
@@ -374,7 +376,7 @@ impl Search {
     fn is_easy(&self, members: &[DirectJoint]) -> bool {
         let is_unattached = self.component(members).all(|member| member.movable().count() == 2);
         !self.has_transmission(members)
-            && !self.component(members).any(|member| member.is_strained)
+            && !self.component(members).any(|member| member.is_strained || member.form.does_work)
             && UNATTACHED_JOINT_COUNTS.contains(&self.order.len())
             && is_unattached
             && has_moderate_mass_ratio(self.component(members))
