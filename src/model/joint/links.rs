@@ -30,6 +30,8 @@ pub(crate) struct JointForm {
     pub is_weld: bool,
     /// Whether it is a [`Transmission`](super::Transmission).
     pub is_transmission: bool,
+    /// Whether its locked axes are springs.
+    pub is_soft: bool,
     /// Whether springs or motors may do work on its bodies. Dampers that stop an axis do none.
     pub does_work: bool,
 }
@@ -38,16 +40,19 @@ impl JointForm {
     /// The form of a joint.
     pub fn of(joint: &GenericJoint) -> Self {
         let drives = joint.limit_axes | joint.motor_axes;
-        let is_transmission = joint.transmission.is_some();
-        let is_point_to_point = joint.locked_axes == JointAxesMask::LIN_AXES
-            && drives.is_empty()
-            && joint.spring().is_none();
-        let driven = if drives.is_empty() { 0 } else { joint.driven_axes().count() as u8 };
-        let locked = joint.locked_axes.bits();
-        let is_weld = joint.locked_axes.is_all() && joint.spring().is_none();
+        let is_soft = joint.spring().is_some();
         let mut motors = joint.driven_axes().filter_map(|axis| joint.motor(axis));
-        let does_work = joint.spring().is_some() || motors.any(JointMotor::does_work);
-        Self { locked, driven, is_point_to_point, is_weld, is_transmission, does_work }
+        Self {
+            locked: joint.locked_axes.bits(),
+            driven: if drives.is_empty() { 0 } else { joint.driven_axes().count() as u8 },
+            is_point_to_point: joint.locked_axes == JointAxesMask::LIN_AXES
+                && drives.is_empty()
+                && !is_soft,
+            is_weld: joint.locked_axes.is_all() && !is_soft,
+            is_transmission: joint.transmission.is_some(),
+            is_soft,
+            does_work: is_soft || motors.any(JointMotor::does_work),
+        }
     }
 
     /// Returns whether it locks a rotation.

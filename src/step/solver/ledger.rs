@@ -31,15 +31,21 @@
 //! ## Scope
 //! Islands with joints, and islands with more deep contacts than bodies of such contacts, for which one relax
 //! iteration does not converge. (A thousand balls at one point left with 300 m/s, though each contact pushes
-//! with 4 m/s at most.) Other contacts converge, and their islands may be large. Islands that something
-//! drives are left out: motors, springs, multibodies, moving kinematic bodies, dominance and moving surfaces
-//! all do work.
+//! with 4 m/s at most.) Other contacts converge, and their islands may be large.
+//!
+//! Motors do work. Their islands have no bound at the start, and the others include the most energy that the
+//! motors can give in a substep (`joints/motors_and_limits.rs`). That is no balance, but keeps an error from
+//! multiplying. Their exact work `λ J (v + Δv/2)` is useless as a bound: the impulses of rigid motors cancel,
+//! and their rounding exceeds `T`.
+//!
+//! Islands that anything else drives are left out: soft joints, elastic transmissions, multibodies, moving
+//! kinematic bodies, dominance and moving surfaces.
 //!
 //! Alternative: scaling the velocities of the bodies that gained. It does not conserve momentum.
 
 use super::bodies::SolverBodies;
 use super::context::SolverPass;
-use super::island_sums::UnorderedSum;
+use super::island_sums::{IslandSums, UnorderedSum};
 use super::states::load_states;
 use crate::base::wide::{Kernel, LANES, Lane, Wide};
 use crate::dim::contact::ContactBlock;
@@ -67,6 +73,16 @@ const ROUNDING: f64 = 8.0 * Real::EPSILON as f64;
 pub(super) fn deep_overlap(pass: &ContactPass) -> Real {
     let rate = pass.softness.bias_rate * pass.softness.mass_scale;
     pass.allowed_error + DEEP_FRACTION * pass.push_velocity_max / rate
+}
+
+/// What does work on bodies, apart from the impulses that an entry compares.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub(super) enum Drive {
+    None,
+    /// Motors, whose energy is bounded.
+    Motors,
+    /// Anything else.
+    Unbounded,
 }
 
 /// What bounds an entry.
@@ -104,10 +120,13 @@ struct Account {
     /// The numbers of its deep contacts, and of the bodies that have some.
     deep_contacts: usize,
     deep_bodies: usize,
+    has_motors: bool,
     /// Whether something does work on it that no entry includes.
     is_driven: bool,
     /// `T(v)` of the substep.
     energy: f64,
+    /// The most energy that motors can give in the substep.
+    drive: f64,
     /// Energy that impulses have added.
     balance: f64,
     /// Whether impulses were taken back in this step.
@@ -139,9 +158,10 @@ impl Account {
             self.energy = energy;
         }
         let bound = match entry {
+            Entry::Start if self.has_motors => f64::INFINITY,
             Entry::Start => 2.0 * self.energy,
-            Entry::Correction => 2.0 * self.energy + 0.5 * mass * speed * speed,
-            Entry::End => self.energy + (self.band() - self.known_balance()).max(0.0),
+            Entry::Correction => 2.0 * self.energy + 0.5 * mass * speed * speed + self.drive,
+            Entry::End => self.energy + (self.band() - self.known_balance()).max(0.0) + self.drive,
         };
         self.limit(bound);
         if entry == Entry::End {
@@ -176,7 +196,8 @@ impl Account {
     fn settle(&mut self) {
         let taken =
             energy_with(self.suspect, 1.0) - energy_with(self.suspect, f64::from(self.kept));
-        let balance = self.known_balance() + energy_with(self.all, 1.0) - taken - self.energy;
+        let balance =
+            self.known_balance() + energy_with(self.all, 1.0) - taken - self.energy - self.drive;
         self.balance = if balance.is_finite() { balance.max(-self.band()) } else { 0.0 };
         self.is_exceeded |= self.kept < 1.0;
     }
@@ -202,6 +223,8 @@ pub(super) struct Ledger {
     terms: Vec<Terms<Lane>>,
     /// By island: the sums of the terms, of all bodies and of suspects.
     sums: Vec<[UnorderedSum; 8]>,
+    /// What motors can give.
+    drives: IslandSums<1>,
     /// By index of a body: whether it is among the [deep bodies](Account::deep_bodies).
     is_deep: Vec<bool>,
     is_active: bool,
@@ -230,11 +253,12 @@ impl Ledger {
         }
     }
 
-    /// Includes the island of a joint, which something may drive.
-    pub fn note_joint(&mut self, pair: [u32; 2], is_driven: bool, bodies: &SolverBodies) {
+    /// Includes the island of a joint.
+    pub fn note_joint(&mut self, pair: [u32; 2], drive: Drive, bodies: &SolverBodies) {
         if let Some(account) = self.accounts.get_mut(bodies.island_of(pair) as usize) {
             account.has_joints = true;
-            account.is_driven |= is_driven;
+            account.has_motors |= drive == Drive::Motors;
+            account.is_driven |= drive == Drive::Unbounded;
         }
     }
 
@@ -298,6 +322,16 @@ impl Ledger {
         }
     }
 
+    /// Returns whether any account is open.
+    pub fn is_active(&self) -> bool {
+        self.is_active
+    }
+
+    /// Adds the most energy that motors between two bodies can give in the substep of the next entry.
+    pub fn add_drive(&mut self, pair: [u32; 2], energy: Real, bodies: &SolverBodies) {
+        self.drives.push(bodies.island_of(pair), [energy]);
+    }
+
     /// Makes an entry. Returns whether any island must not keep all of its impulses.
     pub fn enter(
         &mut self,
@@ -305,9 +339,6 @@ impl Ledger {
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) -> bool {
-        if !self.is_active {
-            return false;
-        }
         self.measure(bodies, pass);
         let speeds = [pass.joints.correction_max, pass.contacts.push_velocity_max].map(f64::from);
         for account in self.accounts.iter_mut().filter(|account| account.is_open()) {
@@ -330,7 +361,7 @@ impl Ledger {
 
     /// Sums up the terms of the bodies of each island.
     fn measure(&mut self, bodies: &SolverBodies, pass: &SolverPass<'_>) {
-        let Self { accounts, members, masses, terms, sums, is_deep, .. } = self;
+        let Self { accounts, members, masses, terms, sums, drives, is_deep, .. } = self;
         let (states, before) = (&bodies.states[members.clone()], &bodies.before[members.clone()]);
         terms.clear();
         terms.resize(masses.len(), [Lane::ZERO; 4]);
@@ -352,8 +383,14 @@ impl Ledger {
         for (account, sums) in accounts.iter_mut().zip(sums) {
             account.all = core::array::from_fn(|k| sums[k].value());
             account.suspect = core::array::from_fn(|k| sums[4 + k].value());
-            account.kept = 1.0;
+            (account.kept, account.drive) = (1.0, 0.0);
         }
+        drives.for_each(|island, [drive]| {
+            if let Some(account) = accounts.get_mut(island as usize) {
+                account.drive = f64::from(drive);
+            }
+        });
+        drives.clear();
     }
 
     /// Leaves the bodies the fraction of the effect of their impulses. Returns whether any is less than 1.

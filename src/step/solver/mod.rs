@@ -295,6 +295,10 @@ impl Constraints {
     /// Makes an entry in the ledger of energy, and takes back impulses that exceed the bound.
     fn enter(&mut self, entry: Entry, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let Self { joints, contacts, ledger, .. } = self;
+        if !ledger.is_active() {
+            return;
+        }
+        joints.note_drives(ledger, bodies);
         if ledger.enter(entry, bodies, pass) {
             joints.limit(ledger, entry, bodies);
             contacts.limit(ledger, entry, bodies);

@@ -185,6 +185,16 @@ pub(super) struct MotorRow {
     pub rate: Lane,
     /// One for joints that are connected with no other one, and drive a single axis.
     pub is_alone: Lane,
+    /// The most energy that its spring can give in this substep.
+    pub spring_capacity: Lane,
+}
+
+impl MotorRow {
+    /// The most energy that it can give in this substep. What a damper does not take of `λ v`, with the target
+    /// velocity `v`, drives the axis.
+    pub fn capacity(&self, lane: usize) -> Real {
+        self.spring_capacity.0[lane] + (self.impulse.0[lane] * self.target_vel.0[lane]).abs()
+    }
 }
 
 impl AxisRow {
@@ -208,6 +218,7 @@ impl AxisRow {
                 stretch: zero,
                 rate: zero,
                 is_alone: zero,
+                spring_capacity: zero,
             },
             min: Lane::splat(-LIMIT_NONE),
             max: Lane::splat(LIMIT_NONE),

@@ -2,8 +2,9 @@
 
 use super::SolverJoints;
 use crate::base::wide::{LANES, Lane};
+use crate::model::joint::JointForm;
 use crate::step::solver::bodies::SolverBodies;
-use crate::step::solver::ledger::{Entry, Ledger, is_carried};
+use crate::step::solver::ledger::{Drive, Entry, Ledger, is_carried};
 
 impl SolverJoints {
     /// Leaves all islands the fractions of their impulses that the ledger keeps.
@@ -30,11 +31,27 @@ impl SolverJoints {
         }
     }
 
-    /// Notes the islands of all joints, and springs, motors and moving bodies that drive the joints.
+    /// Notes the islands of all joints, and what drives these.
     pub fn note_in(&self, ledger: &mut Ledger, bodies: &SolverBodies) {
         for member in &self.members {
-            let is_driven = member.form.does_work || is_carried(member.bodies, bodies);
-            ledger.note_joint(member.bodies, is_driven, bodies);
+            let drive = match member.form {
+                _ if is_carried(member.bodies, bodies) => Drive::Unbounded,
+                JointForm { does_work: false, .. } => Drive::None,
+                JointForm { is_soft: false, is_transmission: false, .. } => Drive::Motors,
+                _ => Drive::Unbounded,
+            };
+            ledger.note_joint(member.bodies, drive, bodies);
+        }
+    }
+
+    /// Notes the most energy that the motors can give in this substep.
+    pub fn note_drives(&self, ledger: &mut Ledger, bodies: &SolverBodies) {
+        for block in self.blocks.iter().filter(|block| block.row_count > 0) {
+            for lane in 0..LANES {
+                let motors = self.rows[block.axis_rows()].iter().map(|row| &row.motor);
+                let energy = motors.map(|motor| motor.capacity(lane)).sum();
+                ledger.add_drive(block.bodies.map(|bodies| bodies[lane]), energy, bodies);
+            }
         }
     }
 }

@@ -50,7 +50,7 @@
 //!
 //! ## Direct or iterative
 //! All axes of connected joints are solved directly (`direct/`): locked ones, motors and limits. Nets with
-//! too many loops, unattached components such as ragdolls, and single ropes and springs are solved
+//! too many loops, unattached components such as passive ragdolls, and single ropes and springs are solved
 //! iteratively over the colours, with some compliance. The plain ones among these have passes of their own
 //! (`point_to_point/`).
 //!

@@ -119,6 +119,10 @@ impl<W: Wide> MotorLaw<W> {
             rate: W::load(&motor.rate),
         };
         let square = h * spring * axis.effective;
+        if pass.is_biased {
+            let stiffness = spring * W::splat(pass.inv_substep);
+            stretch.capacity(stiffness, h, square).store(&mut motor.spring_capacity);
+        }
         let others = Self::among_others([spring, damper, h, square], &stretch);
         let mass = axis.inverse;
         let alone = Self::alone([spring, damper, h, square], mass, &stretch, pass.is_biased);
@@ -173,6 +177,18 @@ struct Stretch<W> {
     now: W,
     /// Increase by the curvature until the end of the substep.
     ahead: W,
+}
+
+impl<W: Wide> Stretch<W> {
+    /// The most energy that a spring gives in a substep. The implicit method gives no more than the spring
+    /// has when the substep begins. Symplectic methods give the work along a path of that substep and the last
+    /// one, at the stretch between both.
+    #[inline(always)]
+    fn capacity(&self, stiffness: W, h: W, square: W) -> W {
+        let path = h * self.rate.abs() * (W::splat(1.0) - fade_in(square, MIDPOINT_SQUARE_MAX));
+        let stretch = self.start.abs() + path;
+        W::splat(0.5) * stiffness * (stretch * stretch)
+    }
 }
 
 /// 0 for values much below the given value, 1 for values much above.

@@ -26,7 +26,7 @@
 //! Each component ends its rounds on its own convergence, independent of the others.
 //!
 //! Components with little gain are left to the iterative solver, too: unattached ones with few joints and
-//! moderate mass ratios. A ragdoll carries no load for long.
+//! moderate mass ratios, without springs or motors that do work. A ragdoll carries no load for long.
 //!
 //! Limits and motors are rows of the same system, with a law in place of an equation: see `axis_law.rs`.
 

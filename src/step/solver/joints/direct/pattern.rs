@@ -64,6 +64,7 @@ impl DirectJoint {
             is_point_to_point: false,
             is_weld: false,
             is_transmission: false,
+            is_soft: false,
             does_work: false,
         },
         locked_row_count: 0,
