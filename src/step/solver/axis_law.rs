@@ -135,6 +135,17 @@ impl AxisLaw {
     /// The law of an axis without limits and without a motor.
     pub const FREE: Self =
         Self { damping: 0.0, pull: 0.0, bound: 0.0, low: f64::NEG_INFINITY, high: f64::INFINITY };
+
+    /// The law of an equation that holds at any impulse: this rate, with a compliance.
+    pub fn equation_of(rate: f64, compliance: f64) -> Self {
+        let damping = 1.0 / compliance;
+        Self { damping, pull: -rate * damping, bound: f64::INFINITY, ..Self::FREE }
+    }
+
+    /// Returns whether it must hold in any case.
+    pub fn is_equation(&self) -> bool {
+        self.bound == f64::INFINITY || self.low >= self.high
+    }
 }
 
 /// The equation of a row on its law, when it has this impulse and this rate.

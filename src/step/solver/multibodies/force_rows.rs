@@ -2,13 +2,11 @@
 
 use super::limits::Owner;
 use super::rows::{ConstrainedStates, JacobianPool, Row};
+use super::system::FORCE_COMPLIANCE_MIN;
 use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::Real;
 use crate::model::joint::{JointMotor, MotorModel};
 use crate::step::solver::axis_law::AxisLaw;
-
-/// Compliance of rigid rows: dry friction.
-const COMPLIANCE_MIN: f64 = 1.0e-30;
 
 /// A motor with a largest force, or friction.
 #[derive(Copy, Clone, Debug)]
@@ -93,7 +91,8 @@ impl ForceRow {
         }
         let moved = if self.pull > 0.0 { jacobians.displacement(&self.row, states) } else { 0.0 };
         let wanted = f64::from(self.velocity + self.pull * (self.distance - moved));
-        let damping = 1.0 / f64::from(self.compliance).max(COMPLIANCE_MIN);
+        let compliance_min = FORCE_COMPLIANCE_MIN / f64::from(self.row.mass);
+        let damping = 1.0 / f64::from(self.compliance).max(compliance_min);
         let bound = f64::from(self.impulse_max);
         AxisLaw { damping, pull: -wanted * damping, bound, ..AxisLaw::FREE }
     }

@@ -10,7 +10,7 @@
 
 use super::Moving;
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
-use super::system::{RowSystem, SystemRow};
+use super::system::{EQUATION_COMPLIANCE_MIN, RowSystem, SystemRow};
 use crate::dim::math::Real;
 use crate::step::solver::axis_law::AxisLaw;
 
@@ -83,10 +83,14 @@ impl Gears {
         for gear in &self.gears {
             let error = gear.error + jacobians.displacement(&gear.row, states);
             let correction = if bias { -error * self.bias_rate } else { 0.0 };
-            let rate = f64::from(correction);
-            let law = AxisLaw { low: rate, high: rate, ..AxisLaw::FREE };
-            // An equation has one side or the other, whatever its impulse.
-            let impulses = [0.0, gear.impulse.max(Real::MIN_POSITIVE), (-gear.impulse).max(0.0)];
+            let law = match gear.row.mass {
+                0.0 => AxisLaw::FREE,
+                mass => AxisLaw::equation_of(
+                    f64::from(correction),
+                    EQUATION_COMPLIANCE_MIN / f64::from(mass),
+                ),
+            };
+            let impulses = [gear.impulse, 0.0, 0.0];
             system.rows.push(SystemRow::new(system.group(gear.multibody), gear.row, law, impulses));
         }
     }

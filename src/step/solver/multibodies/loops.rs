@@ -18,7 +18,7 @@ use super::limits::Owner;
 use super::load::scale_impulses;
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::Side;
-use super::system::{RowSystem, SystemRow};
+use super::system::{EQUATION_COMPLIANCE_MIN, RowSystem, SystemRow};
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
@@ -40,11 +40,6 @@ use crate::step::solver::context::SolverInput;
 use crate::step::solver::joint_rules::break_if_overloaded;
 use crate::step::solver::transmission_end::{End, EndNow, Moved};
 use arrayvec::ArrayVec;
-
-/// Least compliance of a locked axis, as a fraction of its response to an impulse. Redundant rows share a
-/// load by it, and the rounding of nearly redundant ones stays small. It lets a load of a thousand times the
-/// links' mass sink by less than a millimetre per second, which the next correction takes back.
-const LOOP_COMPLIANCE: f64 = 1.0e-5;
 
 /// A locked axis.
 #[derive(Copy, Clone, Debug)]
@@ -472,12 +467,7 @@ impl Loop {
         }
         let response = 1.0 / f64::from(locked.row.mass);
         let compliance = if with_compliance { f64::from(self.softness.compliance()) } else { 0.0 };
-        let damping = 1.0 / (compliance.max(LOOP_COMPLIANCE) * response);
-        if damping > 0.0 {
-            let pull = f64::from(locked.bias) * damping;
-            AxisLaw { damping, pull, bound: f64::INFINITY, ..AxisLaw::FREE }
-        } else {
-            AxisLaw::FREE
-        }
+        let compliance = compliance.max(EQUATION_COMPLIANCE_MIN) * response;
+        AxisLaw::equation_of(f64::from(-locked.bias), compliance)
     }
 }
