@@ -3,6 +3,7 @@
 use crate::dim::{about_z, hinge, vec, z_of};
 use crate::suite::joints::stage::{bob, inertia};
 use crate::suite::physics::stage::{RATES, steps, weightless};
+use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
 /// Adds two wheels of mass 1 and these radii on one frame.
@@ -125,6 +126,52 @@ fn free_gears_keep_momentum_and_energy() {
     assert!((p_now - p).length() < 1.0e-3 * p.length(), "{p} to {p_now}");
     assert!((l_now - l).abs() < 1.0e-3 * l.abs(), "{l} to {l_now}");
     assert!((energy_now / energy - 1.0).abs() < 0.01, "{energy} to {energy_now}");
+}
+
+/// A motor on one wheel, and the limit of the other: with the gear between both, the motor has no rate that is
+/// its own, and must yield. The largest torque would accelerate a wheel by 1 to 10⁴ turns/s per substep.
+#[test]
+fn gears_hold_against_a_motor_and_a_limit() {
+    let mut table = Table::new(
+        "a wheel at its limit, driven through a gear",
+        &["N·m", "ratio", "limited", "beyond", "slip"],
+    );
+    for torque in [10.0, 100.0, 1.0e4] {
+        for ratio in [-1.0, 0.1, 0.5, 2.0, 10.0] {
+            for limited in [0, 1] {
+                let mut world = weightless(60);
+                let joints = wheels(&mut world, [0.3, 0.3]);
+                couple(&mut world, joints, ratio, 0.0);
+                let axis = JointAxis::AngX;
+                let (multibody, link) =
+                    world.multibody_joints.get_mut(joints[limited]).expect("it is there");
+                let stop = &mut multibody.link_mut(link).expect("it is there").joint.data;
+                stop.set_limits(axis, [-0.3, 0.3]);
+                let (multibody, link) =
+                    world.multibody_joints.get_mut(joints[0]).expect("it is there");
+                let motor = &mut multibody.link_mut(link).expect("it is there").joint.data;
+                motor.set_motor_velocity(axis, 100.0, 1.0e6);
+                motor.set_motor_max_force(axis, torque);
+                motor.set_motor_model(axis, MotorModel::ForceBased);
+                let (mut beyond, mut slip): (Real, Real) = (0.0, 0.0);
+                for _ in 0..180 {
+                    world.step();
+                    let [q1, q2] = joints.map(|joint| turned(&world, joint).0);
+                    beyond = beyond.max([q1, q2][limited].abs() - 0.3);
+                    slip = slip.max((q2 - ratio * q1).abs());
+                }
+                table.row([
+                    format!("{torque:e}"),
+                    ratio.to_string(),
+                    limited.to_string(),
+                    format!("{beyond:.5}"),
+                    format!("{slip:.5}"),
+                ]);
+                // Half a degree. Gears are a little compliant.
+                table.require(beyond < 0.009 && slip < 0.009, "the gear or the limit yields");
+            }
+        }
+    }
 }
 
 /// Couplings move with their links when multibodies split, and are removed with them.
