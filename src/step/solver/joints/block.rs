@@ -190,8 +190,8 @@ pub(super) struct MotorRow {
 }
 
 impl MotorRow {
-    /// The most energy that it can give in this substep. What a damper does not take of `λ v`, with the target
-    /// velocity `v`, drives the axis.
+    /// The most energy that it can give in this substep. What a damper does not take of `λ v`, with the
+    /// target velocity `v`, drives the axis.
     pub fn capacity(&self, lane: usize) -> Real {
         self.spring_capacity.0[lane] + (self.impulse.0[lane] * self.target_vel.0[lane]).abs()
     }

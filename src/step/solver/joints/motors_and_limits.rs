@@ -181,8 +181,8 @@ struct Stretch<W> {
 
 impl<W: Wide> Stretch<W> {
     /// The most energy that a spring gives in a substep. The implicit method gives no more than the spring
-    /// has when the substep begins. Symplectic methods give the work along a path of that substep and the last
-    /// one, at the stretch between both.
+    /// has when the substep begins. Symplectic methods give the work along a path of that substep and the
+    /// last one, at the stretch between both.
     #[inline(always)]
     fn capacity(&self, stiffness: W, h: W, square: W) -> W {
         let path = h * self.rate.abs() * (W::splat(1.0) - fade_in(square, MIDPOINT_SQUARE_MAX));

@@ -28,11 +28,12 @@ const LOOP_ROWS_MAX: usize = 120;
 /// Largest number of rows that are solved together. Larger groups, as of a rope with dry friction, are solved
 /// in consecutive parts.
 const ROWS_MAX: usize = 240;
-/// Least compliances of equations, and of motors and dry friction, as fractions of the responses of their rows
-/// to an impulse. A motor may oppose an equation or a limit that leaves it no rate. The rows of all three are
-/// redundant then, and the motor with its largest force must be the one that yields. Equal rows share a load
-/// by their compliances, and the rounding of nearly redundant ones stays small. A load of a thousand times the
-/// links' mass sinks by less than a millimetre per second, which the next correction takes back.
+/// Least compliances of equations, and of motors and dry friction, as fractions of the responses of their
+/// rows to an impulse. A motor may oppose an equation or a limit that leaves it no rate. The rows of all
+/// three are redundant then, and the motor with its largest force must be the one that yields. Equal rows
+/// share a load by their compliances, and the rounding of nearly redundant ones stays small. A load of a
+/// thousand times the links' mass sinks by less than a millimetre per second, which the next correction takes
+/// back.
 pub const EQUATION_COMPLIANCE_MIN: f64 = 1.0e-5;
 pub const FORCE_COMPLIANCE_MIN: f64 = 1.0e-4;
 /// A limit beyond this rate is not reached in the substep: its last impulse was that of another limit.
