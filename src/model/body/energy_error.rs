@@ -3,7 +3,7 @@
 use crate::dim::math::Real;
 
 /// An island's kinetic energy by errors of the solver. Each of its bodies stores it, because islands merge
-/// and split. See `step/solver/ledger.rs`.
+/// and split. See `step/solver/ledger/`.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct EnergyError {

@@ -4,7 +4,7 @@ use super::SolverJoints;
 use crate::base::wide::{LANES, Lane};
 use crate::model::joint::JointForm;
 use crate::step::solver::bodies::SolverBodies;
-use crate::step::solver::ledger::{Drive, Entry, Ledger, is_carried};
+use crate::step::solver::ledger::{Drive, Entry, Ledger};
 
 impl SolverJoints {
     /// Leaves all islands the fractions of their impulses that the ledger keeps.
@@ -35,12 +35,14 @@ impl SolverJoints {
     pub fn note_in(&self, ledger: &mut Ledger, bodies: &SolverBodies) {
         for member in &self.members {
             let drive = match member.form {
-                _ if is_carried(member.bodies, bodies) => Drive::Unbounded,
                 JointForm { does_work: false, .. } => Drive::None,
                 JointForm { is_soft: false, is_transmission: false, .. } => Drive::Motors,
                 _ => Drive::Unbounded,
             };
             ledger.note_joint(member.bodies, drive, bodies);
+            if member.form.is_transmission {
+                ledger.note_transmission(member.bodies, bodies);
+            }
         }
     }
 

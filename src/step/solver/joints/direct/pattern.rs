@@ -41,7 +41,7 @@ pub(in super::super) struct DirectJoint {
     pub inv_masses: [Real; 2],
     /// Whether a body has both locked and free axes of its own.
     pub has_locked_body: bool,
-    /// Whether the last step took back impulses in its island: see `solver/ledger.rs`.
+    /// Whether the last step took back impulses in its island: see `solver/ledger/`.
     pub is_strained: bool,
     pub form: JointForm,
     /// Number of its rows of locked axes.

@@ -26,7 +26,7 @@
 //! * *Correction*: those of the solve pass, which corrects errors by velocities, by `2 T(v)` and the energy
 //!   of all bodies at the largest speed of a correction.
 //! * *End*: after the relax pass, by `T(v)` of the start and the rest of the balance. A balance adds the
-//!   gains up, and is at most [`ERROR_MAX`] of the energy. Energy that is lost beyond that does not return.
+//!   gains up, and is at most [`ERROR_MAX`](account) of the energy. Energy that is lost beyond that does not return.
 //!
 //! ## Scope
 //! Islands with joints, and islands with more deep contacts than bodies of such contacts, for which one relax
@@ -38,178 +38,39 @@
 //! multiplying. Their exact work `λ J (v + Δv/2)` is useless as a bound: the impulses of rigid motors cancel,
 //! and their rounding exceeds `T`.
 //!
-//! Islands that anything else drives are left out: soft joints, elastic transmissions, multibodies, moving
-//! kinematic bodies, dominance and moving surfaces.
+//! The energy of an island with a moving kinematic body is measured in the frame of that body ([`Frame`]).
+//!
+//! Islands that anything else drives are left out: soft joints, elastic transmissions, multibodies, several
+//! moving bodies, dominance and moving surfaces.
 //!
 //! Alternative: scaling the velocities of the bodies that gained. It does not conserve momentum.
+
+mod account;
+mod measure;
 
 use super::bodies::SolverBodies;
 use super::context::SolverPass;
 use super::island_sums::{IslandSums, UnorderedSum};
-use super::states::load_states;
-use crate::base::wide::{Kernel, LANES, Lane, Wide};
+use crate::base::wide::{LANES, Lane};
 use crate::dim::contact::ContactBlock;
-use crate::dim::math::{Real, ang_dot, inertia_of};
-use crate::dim::rotation_vector::turned_inertia;
+use crate::dim::math::{Real, Vector, ang_dot, cross, inertia_of};
 use crate::dim::state::{BodyState, READ_ONLY};
-use crate::dim::wide::{
-    WideSymmetric, ZERO_INERTIA, ang_dot as wide_ang_dot, load_symmetric, mul_inertia,
-    set_symmetric_lane,
-};
+use crate::dim::wide::{ZERO_INERTIA, set_symmetric_lane};
 use crate::model::body::EnergyError;
 use crate::model::contact::ContactInput;
 use crate::model::params::ContactPass;
+use account::{Account, Frame, Terms};
+pub(super) use account::{Drive, Entry};
 use core::ops::Range;
+use measure::{Masses, Measure};
 
 /// The fraction of the largest corrective velocity from which overlap counts as deep.
 const DEEP_FRACTION: Real = 0.125;
-/// The bound of the balance, as a fraction of the kinetic energy. The energy of a chain oscillates as its
-/// links rotate: what a substep gains, the next one loses.
-const ERROR_MAX: f64 = 0.025;
-/// Relative rounding error of the terms.
-const ROUNDING: f64 = 8.0 * Real::EPSILON as f64;
 
 /// The overlap (length) from which on its correction may throw bodies.
 pub(super) fn deep_overlap(pass: &ContactPass) -> Real {
     let rate = pass.softness.bias_rate * pass.softness.mass_scale;
     pass.allowed_error + DEEP_FRACTION * pass.push_velocity_max / rate
-}
-
-/// What does work on bodies, apart from the impulses that an entry compares.
-#[derive(Copy, Clone, Debug, PartialEq)]
-pub(super) enum Drive {
-    None,
-    /// Motors, whose energy is bounded.
-    Motors,
-    /// Anything else.
-    Unbounded,
-}
-
-/// What bounds an entry.
-#[derive(Copy, Clone, Debug, PartialEq)]
-pub(super) enum Entry {
-    /// The impulses with which a substep starts.
-    Start,
-    /// Those of the solve pass, too, which correct errors.
-    Correction,
-    /// Those that remain after the relax pass.
-    End,
-}
-
-/// Numbers of a body, and sums over bodies: `T(v)`, `b`, `a`, and the mass.
-type Terms<T> = [T; 4];
-
-/// The energy with a fraction of the impulses.
-fn energy_with([t, b, a, _]: Terms<f64>, fraction: f64) -> f64 {
-    t + fraction * (b + 0.5 * fraction * a)
-}
-
-/// The largest fraction of the impulses with an energy of at most `bound`; if there is none, the one of the
-/// least energy.
-fn largest_fraction([t, b, a, _]: Terms<f64>, bound: f64) -> Real {
-    let root = (b * b - 2.0 * a * (t - bound)).max(0.0).sqrt();
-    let fraction = (root - b) / a;
-    // Without an effect of the impulses there is nothing to take back.
-    if fraction.is_finite() { fraction.clamp(0.0, 1.0) as Real } else { 1.0 }
-}
-
-/// The account of one island.
-#[derive(Copy, Clone, Debug, Default)]
-struct Account {
-    has_joints: bool,
-    /// The numbers of its deep contacts, and of the bodies that have some.
-    deep_contacts: usize,
-    deep_bodies: usize,
-    has_motors: bool,
-    /// Whether something does work on it that no entry includes.
-    is_driven: bool,
-    /// `T(v)` of the substep.
-    energy: f64,
-    /// The most energy that motors can give in the substep.
-    drive: f64,
-    /// Energy that impulses have added.
-    balance: f64,
-    /// Whether impulses were taken back in this step.
-    is_exceeded: bool,
-    /// Sums over all bodies, and over those that may have to return impulses.
-    all: Terms<f64>,
-    suspect: Terms<f64>,
-    /// The fraction of their impulses that these keep.
-    kept: Real,
-}
-
-impl Account {
-    fn is_open(&self) -> bool {
-        (self.has_joints || self.deep_contacts > self.deep_bodies) && !self.is_driven
-    }
-
-    /// Returns whether a body may have to return impulses. Impulses act on pairs: all bodies of an island
-    /// with joints return the same fraction.
-    fn suspects(&self, is_deep: bool) -> bool {
-        self.has_joints || is_deep
-    }
-
-    /// Makes an entry for corrections of up to these velocities of joints and of contacts.
-    fn enter(&mut self, entry: Entry, speeds: [f64; 2]) {
-        let [of_joints, of_contacts] = speeds;
-        let speed = if self.has_joints { of_joints.max(of_contacts) } else { of_contacts };
-        let [energy, .., mass] = self.all;
-        if entry == Entry::Start {
-            self.energy = energy;
-        }
-        let bound = match entry {
-            Entry::Start if self.has_motors => f64::INFINITY,
-            Entry::Start => 2.0 * self.energy,
-            Entry::Correction => 2.0 * self.energy + 0.5 * mass * speed * speed + self.drive,
-            Entry::End => self.energy + (self.band() - self.known_balance()).max(0.0) + self.drive,
-        };
-        self.limit(bound);
-        if entry == Entry::End {
-            self.settle();
-        }
-    }
-
-    /// Finds the fraction with which the island keeps to its bound.
-    fn limit(&mut self, bound: f64) {
-        let [t, b, a, _] = self.all;
-        let now = energy_with(self.all, 1.0);
-        let exceeds = now > bound + ROUNDING * (t + b.abs() + a);
-        self.kept = if exceeds {
-            let others = now - energy_with(self.suspect, 1.0);
-            largest_fraction(self.suspect, bound - others)
-        } else {
-            1.0
-        };
-    }
-
-    /// The bound of the balance, in both directions.
-    fn band(&self) -> f64 {
-        ERROR_MAX * self.energy
-    }
-
-    /// The balance without losses beyond the band, which do not return.
-    fn known_balance(&self) -> f64 {
-        self.balance.max(-self.band())
-    }
-
-    /// Adds the gain of the substep to the balance.
-    fn settle(&mut self) {
-        let taken =
-            energy_with(self.suspect, 1.0) - energy_with(self.suspect, f64::from(self.kept));
-        let balance =
-            self.known_balance() + energy_with(self.all, 1.0) - taken - self.energy - self.drive;
-        self.balance = if balance.is_finite() { balance.max(-self.band()) } else { 0.0 };
-        self.is_exceeded |= self.kept < 1.0;
-    }
-}
-
-/// Mass and inertia of [`LANES`] adjacent bodies when the step began.
-#[derive(Copy, Clone, Debug)]
-struct Masses {
-    mass: Lane,
-    inertia: WideSymmetric<Lane>,
-    /// Whether any of them belongs to an open account.
-    is_open: bool,
 }
 
 /// The accounts of all islands of a group.
@@ -227,6 +88,8 @@ pub(super) struct Ledger {
     drives: IslandSums<1>,
     /// By index of a body: whether it is among the [deep bodies](Account::deep_bodies).
     is_deep: Vec<bool>,
+    /// Velocities now and before, relative to the frames of the islands; empty if none moves.
+    relative: [Vec<BodyState>; 2],
     is_active: bool,
 }
 
@@ -239,8 +102,7 @@ impl Ledger {
     /// Begins a step in which there may be accounts.
     pub fn begin(&mut self, bodies: &SolverBodies) {
         self.accounts.clear();
-        let empty = Account { balance: f64::NEG_INFINITY, ..Account::default() };
-        self.accounts.resize(bodies.island_bound(), empty);
+        self.accounts.resize(bodies.island_bound(), Account::empty());
         self.is_deep.clear();
         self.is_deep.resize(bodies.states.len(), false);
         self.is_active = true;
@@ -257,8 +119,16 @@ impl Ledger {
     pub fn note_joint(&mut self, pair: [u32; 2], drive: Drive, bodies: &SolverBodies) {
         if let Some(account) = self.accounts.get_mut(bodies.island_of(pair) as usize) {
             account.has_joints = true;
+            account.include_frame(frame_of(pair, bodies));
             account.has_motors |= drive == Drive::Motors;
             account.is_driven |= drive == Drive::Unbounded;
+        }
+    }
+
+    /// Measures the energy of the island of a transmission at rest: its coordinate is not a relative one.
+    pub fn note_transmission(&mut self, pair: [u32; 2], bodies: &SolverBodies) {
+        if let Some(account) = self.accounts.get_mut(bodies.island_of(pair) as usize) {
+            account.include_frame(Frame::Rest);
         }
     }
 
@@ -288,7 +158,8 @@ impl Ledger {
                     account.deep_bodies += usize::from(!was_deep);
                 }
             }
-            account.is_driven |= is_driven(pair, lane, input, bodies);
+            account.include_frame(frame_of(pair, bodies));
+            account.is_driven |= is_driven(pair, lane, input);
         }
     }
 
@@ -359,10 +230,39 @@ impl Ledger {
         }
     }
 
+    /// Finds the velocities relative to the frames of the islands, if any of these moves.
+    fn enter_frames(&mut self, bodies: &SolverBodies) {
+        let Self { accounts, members, relative, .. } = self;
+        relative.iter_mut().for_each(Vec::clear);
+        let moves =
+            |account: &Account| account.is_open() && matches!(account.frame, Frame::Body(_));
+        if !accounts.iter().any(moves) {
+            return;
+        }
+        for (to, states) in relative.iter_mut().zip([&bodies.states, &bodies.before]) {
+            to.extend_from_slice(&states[members.clone()]);
+            for (index, state) in members.clone().zip(to) {
+                let account = accounts.get(bodies.islands[index] as usize);
+                let Some(&Account { frame: Frame::Body(carrier), .. }) = account else { continue };
+                let carrier = carrier as usize;
+                let ((v, w), arm) = (
+                    bodies.states[carrier].velocity(),
+                    center(index, bodies) - center(carrier, bodies),
+                );
+                let (own_v, own_w) = state.velocity();
+                state.set_velocity(own_v - v - cross(w, arm), own_w - w);
+            }
+        }
+    }
+
     /// Sums up the terms of the bodies of each island.
     fn measure(&mut self, bodies: &SolverBodies, pass: &SolverPass<'_>) {
-        let Self { accounts, members, masses, terms, sums, drives, is_deep, .. } = self;
-        let (states, before) = (&bodies.states[members.clone()], &bodies.before[members.clone()]);
+        self.enter_frames(bodies);
+        let Self { accounts, members, masses, terms, sums, drives, relative, is_deep, .. } = self;
+        let [states, before] = match relative.each_ref().map(Vec::as_slice) {
+            [[], []] => [&bodies.states, &bodies.before].map(|states| &states[members.clone()]),
+            relative => relative,
+        };
         terms.clear();
         terms.resize(masses.len(), [Lane::ZERO; 4]);
         pass.simd.run(Measure { masses, states, before, terms });
@@ -444,48 +344,24 @@ fn each<'a>(
 }
 
 /// Returns whether something other than the energy of its bodies drives a contact.
-fn is_driven(pair: [u32; 2], lane: usize, input: &ContactInput, bodies: &SolverBodies) -> bool {
+fn is_driven(pair: [u32; 2], lane: usize, input: &ContactInput) -> bool {
     let mut sides = pair.into_iter().zip(&input.mass_factors);
     let is_dominated = sides.any(|(body, factors)| body & READ_ONLY == 0 && factors.0[lane] != 1.0);
     let is_conveyor = input.tangent_velocity.lane(lane).length_squared() > 0.0;
-    is_dominated || is_conveyor || is_carried(pair, bodies)
+    is_dominated || is_conveyor
 }
 
-/// Returns whether a body that constraints cannot move moves.
-pub(super) fn is_carried(pair: [u32; 2], bodies: &SolverBodies) -> bool {
-    pair.into_iter().filter(|index| index & READ_ONLY != 0).any(|index| {
-        let (v, w) = bodies.states[(index & !READ_ONLY) as usize].velocity();
-        v.length_squared() + ang_dot(w, w) > 0.0
-    })
+/// The frame in which a constraint does no work.
+fn frame_of(pair: [u32; 2], bodies: &SolverBodies) -> Frame {
+    let Some(index) = pair.into_iter().find(|index| index & READ_ONLY != 0) else {
+        return Frame::Any;
+    };
+    let index = index & !READ_ONLY;
+    let (v, w) = bodies.states[index as usize].velocity();
+    if v.length_squared() + ang_dot(w, w) > 0.0 { Frame::Body(index) } else { Frame::Rest }
 }
 
-/// Computes the terms of bodies, with their inertias at the present poses.
-struct Measure<'a> {
-    masses: &'a [Masses],
-    states: &'a [BodyState],
-    before: &'a [BodyState],
-    terms: &'a mut [Terms<Lane>],
-}
-
-impl Kernel for Measure<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        let states = self.states.chunks(LANES).zip(self.before.chunks(LANES));
-        let all = self.masses.iter().zip(self.terms).zip(states);
-        for ((masses, terms), (states, before)) in all.filter(|((it, _), _)| it.is_open) {
-            let ((now, moved), (old, _)) = (load_states::<W>(states), load_states::<W>(before));
-            let change = now - old;
-            let inertia = turned_inertia(load_symmetric(&masses.inertia), moved.rotation());
-            let mass = W::load(&masses.mass);
-            let (p, l) = (change.linear * mass, mul_inertia(inertia, change.angular));
-            let own = mul_inertia(inertia, old.angular);
-            let t = old.linear.dot(old.linear) * mass + wide_ang_dot(old.angular, own);
-            (t * W::splat(0.5)).store(&mut terms[0]);
-            (old.linear.dot(p) + wide_ang_dot(old.angular, l)).store(&mut terms[1]);
-            (change.linear.dot(p) + wide_ang_dot(change.angular, l)).store(&mut terms[2]);
-            terms[3] = masses.mass;
-        }
-    }
+/// The centre of mass of a body.
+fn center(index: usize, bodies: &SolverBodies) -> Vector {
+    bodies.poses[index].center() + bodies.states[index].displacement().0
 }
