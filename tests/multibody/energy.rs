@@ -92,15 +92,7 @@ impl Case {
             let spin =
                 tumble(dice.within(-1.0, 1.0) * self.speed, dice.within(-0.5, 0.5) * self.speed);
             let body = RigidBodyBuilder::dynamic().translation(at).linvel(throw).angvel(spin);
-            let mass = Real::powf(10.0, dice.within(0.0, self.mass_decades));
-            let size = dice.within(0.05, 0.15);
-            let shape = match dice.within(0.0, 2.99) as usize {
-                0 => ColliderBuilder::ball(size),
-                1 => cuboid(size, 0.5 * size),
-                _ => ColliderBuilder::capsule_x(0.5 * size, 0.5 * size),
-            };
-            let shape =
-                shape.mass(mass).restitution(self.restitution).friction(dice.within(0.0, 1.0));
+            let (mass, shape) = self.shape(&mut dice);
             let (body, _) = world.insert(body.can_sleep(false), shape);
             let back =
                 if self.is_chain { 1 } else { 1 + dice.within(0.0, k as Real * 0.999) as usize };
@@ -133,6 +125,19 @@ impl Case {
             bodies.push(body);
         }
         (world, bodies)
+    }
+
+    /// The mass and the shape of a link.
+    fn shape(&self, dice: &mut Dice) -> (Real, ColliderBuilder) {
+        let mass = Real::powf(10.0, dice.within(0.0, self.mass_decades));
+        let size = dice.within(0.05, 0.15);
+        let shape = match dice.within(0.0, 2.99) as usize {
+            0 => ColliderBuilder::ball(size),
+            1 => cuboid(size, 0.5 * size),
+            _ => ColliderBuilder::capsule_x(0.5 * size, 0.5 * size),
+        };
+        let friction = dice.within(0.0, 1.0);
+        (mass, shape.mass(mass).restitution(self.restitution).friction(friction))
     }
 
     /// The post or the floor.

@@ -21,8 +21,8 @@ pub enum Drive {
 /// The frame in which the energy of an island is measured.
 ///
 /// Constraints with a body that they cannot move do no work in the frame of that body, which may translate
-/// and rotate: at the point of a constraint, its velocity is zero there. Those between other bodies do none in
-/// any frame, because their impulses are opposite and the rates of their rows are relative.
+/// and rotate: at the point of a constraint, its velocity is zero there. Those between other bodies do none
+/// in any frame, because their impulses are opposite and the rates of their rows are relative.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 pub enum Frame {
     /// No such body holds or touches the island.
