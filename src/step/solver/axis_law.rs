@@ -139,7 +139,10 @@ impl AxisLaw {
     /// The law of an equation that holds at any impulse: this rate, with a compliance.
     pub fn equation_of(rate: f64, compliance: f64) -> Self {
         let damping = 1.0 / compliance;
-        Self { damping, pull: -rate * damping, bound: f64::INFINITY, ..Self::FREE }
+        match damping.is_finite() {
+            true => Self { damping, pull: -rate * damping, bound: f64::INFINITY, ..Self::FREE },
+            false => Self { low: rate, high: rate, ..Self::FREE },
+        }
     }
 
     /// Returns whether it must hold in any case.

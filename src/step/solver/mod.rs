@@ -298,7 +298,10 @@ impl Constraints {
         if !ledger.is_active() {
             return;
         }
-        joints.note_drives(ledger, bodies);
+        // The first entry has no bound where there are motors.
+        if entry != Entry::Start {
+            joints.note_drives(ledger, bodies);
+        }
         if ledger.enter(entry, bodies, pass) {
             joints.limit(ledger, entry, bodies);
             contacts.limit(ledger, entry, bodies);

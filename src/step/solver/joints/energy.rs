@@ -31,10 +31,11 @@ impl SolverJoints {
         }
     }
 
-    /// Notes the islands of all joints, and what drives these.
+    /// Notes the island and the drive of each joint.
     pub fn note_in(&self, ledger: &mut Ledger, bodies: &SolverBodies) {
         for member in &self.members {
             let drive = match member.form {
+                _ if self.direct.is_too_large(member.slot) => Drive::Unbounded,
                 JointForm { does_work: false, .. } => Drive::None,
                 JointForm { is_soft: false, is_transmission: false, .. } => Drive::Motors,
                 _ => Drive::Unbounded,

@@ -121,7 +121,9 @@ impl<W: Wide> MotorLaw<W> {
         let square = h * spring * axis.effective;
         if pass.is_biased {
             let stiffness = spring * W::splat(pass.inv_substep);
-            stretch.capacity(stiffness, h, square).store(&mut motor.spring_capacity);
+            let force_max = W::load(&motor.max_impulse) * W::splat(pass.inv_substep);
+            let capacity = stretch.capacity(stiffness, force_max, h, square);
+            capacity.store(&mut motor.spring_capacity);
         }
         let others = Self::among_others([spring, damper, h, square], &stretch);
         let mass = axis.inverse;
@@ -184,10 +186,10 @@ impl<W: Wide> Stretch<W> {
     /// has when the substep begins. Symplectic methods give the work along a path of that substep and the
     /// last one, at the stretch between both.
     #[inline(always)]
-    fn capacity(&self, stiffness: W, h: W, square: W) -> W {
+    fn capacity(&self, stiffness: W, force_max: W, h: W, square: W) -> W {
         let path = h * self.rate.abs() * (W::splat(1.0) - fade_in(square, MIDPOINT_SQUARE_MAX));
         let stretch = self.start.abs() + path;
-        W::splat(0.5) * stiffness * (stretch * stretch)
+        (W::splat(0.5) * stiffness * stretch).min(force_max) * stretch
     }
 }
 

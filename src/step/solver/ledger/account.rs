@@ -18,20 +18,23 @@ pub enum Drive {
     Unbounded,
 }
 
-/// The frame in which the energy of an island is measured.
+/// The frame in which the energy of an island is measured: that of the bodies which hold or touch its bodies
+/// and cannot be moved.
 ///
-/// Constraints with a body that they cannot move do no work in the frame of that body, which may translate
-/// and rotate: at the point of a constraint, its velocity is zero there. Those between other bodies do none
-/// in any frame, because their impulses are opposite and the rates of their rows are relative.
+/// Constraints with a body that translates do no work in the frame of that body. Those between two other
+/// bodies do none in any frame, because their impulses are opposite and the rates of their rows are relative.
+/// In a frame that rotates, the centrifugal force does work while an entry lasts.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 pub enum Frame {
-    /// No such body holds or touches the island.
+    /// There are no such bodies.
     #[default]
     Any,
     /// That of bodies at rest.
     Rest,
-    /// That of a moving body, by its index.
+    /// That of a body that translates, by its index.
     Body(u32),
+    /// A body rotates, or several bodies have different frames.
+    None,
 }
 
 /// What bounds an entry.
@@ -94,17 +97,20 @@ impl Account {
         Self { balance: f64::NEG_INFINITY, ..Self::default() }
     }
 
-    /// Measures the energy in a frame. Two different ones leave the island out.
+    /// Measures the energy in a frame, too.
     pub fn include_frame(&mut self, frame: Frame) {
-        match self.frame {
-            _ if frame == Frame::Any => {}
-            Frame::Any => self.frame = frame,
-            own => self.is_driven |= own != frame,
-        }
+        self.frame = match (self.frame, frame) {
+            (own, Frame::Any) => own,
+            (Frame::Any, other) => other,
+            (own, other) if own == other => own,
+            _ => Frame::None,
+        };
     }
 
     pub fn is_open(&self) -> bool {
-        (self.has_joints || self.deep_contacts > self.deep_bodies) && !self.is_driven
+        (self.has_joints || self.deep_contacts > self.deep_bodies)
+            && !self.is_driven
+            && self.frame != Frame::None
     }
 
     /// Returns whether a body may have to return impulses. Impulses act on pairs: all bodies of an island
@@ -160,8 +166,10 @@ impl Account {
     fn settle(&mut self) {
         let taken =
             energy_with(self.suspect, 1.0) - energy_with(self.suspect, f64::from(self.kept));
-        let balance =
-            self.known_balance() + energy_with(self.all, 1.0) - taken - self.energy - self.drive;
+        let change = energy_with(self.all, 1.0) - taken - self.energy;
+        // What motors could have given, and did not, is no loss.
+        let gain = if change > 0.0 { (change - self.drive).max(0.0) } else { change };
+        let balance = self.known_balance() + gain;
         self.balance = if balance.is_finite() { balance.max(-self.band()) } else { 0.0 };
         self.is_exceeded |= self.kept < 1.0;
     }

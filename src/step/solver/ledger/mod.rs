@@ -38,10 +38,13 @@
 //! multiplying. Their exact work `λ J (v + Δv/2)` is useless as a bound: the impulses of rigid motors cancel,
 //! and their rounding exceeds `T`.
 //!
-//! The energy of an island with a moving kinematic body is measured in the frame of that body ([`Frame`]).
+//! The energy of an island with a kinematic body that translates is measured in the frame of that body
+//! ([`Frame`]).
 //!
-//! Islands that anything else drives are left out: soft joints, elastic transmissions, multibodies, several
-//! moving bodies, dominance and moving surfaces.
+//! Islands that anything else drives are left out: soft joints, elastic transmissions, multibodies, bodies
+//! that rotate, bodies with different frames, dominance and moving surfaces. Nets that are too large for a
+//! direct solution are left out, too. They converge over many substeps, and fractions of their impulses would
+//! not.
 //!
 //! Alternative: scaling the velocities of the bodies that gained. It does not conserve momentum.
 
@@ -53,9 +56,9 @@ use super::context::SolverPass;
 use super::island_sums::{IslandSums, UnorderedSum};
 use crate::base::wide::{LANES, Lane};
 use crate::dim::contact::ContactBlock;
-use crate::dim::math::{Real, Vector, ang_dot, cross, inertia_of};
-use crate::dim::state::{BodyState, READ_ONLY};
-use crate::dim::wide::{ZERO_INERTIA, set_symmetric_lane};
+use crate::dim::math::{Real, ang_dot, inertia_of};
+use crate::dim::state::READ_ONLY;
+use crate::dim::wide::set_symmetric_lane;
 use crate::model::body::EnergyError;
 use crate::model::contact::ContactInput;
 use crate::model::params::ContactPass;
@@ -88,8 +91,6 @@ pub(super) struct Ledger {
     drives: IslandSums<1>,
     /// By index of a body: whether it is among the [deep bodies](Account::deep_bodies).
     is_deep: Vec<bool>,
-    /// Velocities now and before, relative to the frames of the islands; empty if none moves.
-    relative: [Vec<BodyState>; 2],
     is_active: bool,
 }
 
@@ -125,7 +126,7 @@ impl Ledger {
         }
     }
 
-    /// Measures the energy of the island of a transmission at rest: its coordinate is not a relative one.
+    /// Measures the energy of the island of a transmission at rest: its coordinate is not relative.
     pub fn note_transmission(&mut self, pair: [u32; 2], bodies: &SolverBodies) {
         if let Some(account) = self.accounts.get_mut(bodies.island_of(pair) as usize) {
             account.include_frame(Frame::Rest);
@@ -163,8 +164,27 @@ impl Ledger {
         }
     }
 
+    /// Leaves islands out in which the world holds an axis of a body, while their frame moves.
+    fn leave_out_locked(&mut self, bodies: &SolverBodies) {
+        if !self.accounts.iter().any(|account| matches!(account.frame, Frame::Body(_))) {
+            return;
+        }
+        let [_, members] = bodies.moving();
+        for index in members {
+            let Some(account) = self.accounts.get_mut(bodies.islands[index] as usize) else {
+                continue;
+            };
+            let is_locked = bodies.poses[index].inv_mass().min_element() == 0.0;
+            if matches!(account.frame, Frame::Body(carrier) if is_locked && carrier != index as u32)
+            {
+                account.frame = Frame::None;
+            }
+        }
+    }
+
     /// Opens the accounts: reads the masses of their bodies.
     pub fn open(&mut self, bodies: &SolverBodies) {
+        self.leave_out_locked(bodies);
         let Self { accounts, members, masses, .. } = self;
         self.is_active &= accounts.iter().any(Account::is_open);
         if !self.is_active {
@@ -173,7 +193,7 @@ impl Ledger {
         [_, *members] = bodies.moving();
         masses.clear();
         for first in members.clone().step_by(LANES) {
-            let mut all = Masses { mass: Lane::ZERO, inertia: ZERO_INERTIA, is_open: false };
+            let mut all = Masses::NONE;
             for (lane, index) in (first..members.end.min(first + LANES)).enumerate() {
                 let account = accounts.get_mut(bodies.islands[index] as usize);
                 let Some(account) = account.filter(|account| account.is_open()) else { continue };
@@ -184,6 +204,9 @@ impl Ledger {
                     // Islands that merge have the worse balance.
                     let added = f64::from(bodies.energy_errors[index].added);
                     account.balance = account.balance.max(added);
+                }
+                if let Frame::Body(carrier) = account.frame {
+                    all.frame.set_lane(lane, bodies.states[carrier as usize].velocity().0);
                 }
                 all.is_open = true;
                 all.mass.0[lane] = mass;
@@ -230,39 +253,10 @@ impl Ledger {
         }
     }
 
-    /// Finds the velocities relative to the frames of the islands, if any of these moves.
-    fn enter_frames(&mut self, bodies: &SolverBodies) {
-        let Self { accounts, members, relative, .. } = self;
-        relative.iter_mut().for_each(Vec::clear);
-        let moves =
-            |account: &Account| account.is_open() && matches!(account.frame, Frame::Body(_));
-        if !accounts.iter().any(moves) {
-            return;
-        }
-        for (to, states) in relative.iter_mut().zip([&bodies.states, &bodies.before]) {
-            to.extend_from_slice(&states[members.clone()]);
-            for (index, state) in members.clone().zip(to) {
-                let account = accounts.get(bodies.islands[index] as usize);
-                let Some(&Account { frame: Frame::Body(carrier), .. }) = account else { continue };
-                let carrier = carrier as usize;
-                let ((v, w), arm) = (
-                    bodies.states[carrier].velocity(),
-                    center(index, bodies) - center(carrier, bodies),
-                );
-                let (own_v, own_w) = state.velocity();
-                state.set_velocity(own_v - v - cross(w, arm), own_w - w);
-            }
-        }
-    }
-
     /// Sums up the terms of the bodies of each island.
     fn measure(&mut self, bodies: &SolverBodies, pass: &SolverPass<'_>) {
-        self.enter_frames(bodies);
-        let Self { accounts, members, masses, terms, sums, drives, relative, is_deep, .. } = self;
-        let [states, before] = match relative.each_ref().map(Vec::as_slice) {
-            [[], []] => [&bodies.states, &bodies.before].map(|states| &states[members.clone()]),
-            relative => relative,
-        };
+        let Self { accounts, members, masses, terms, sums, drives, is_deep, .. } = self;
+        let (states, before) = (&bodies.states[members.clone()], &bodies.before[members.clone()]);
         terms.clear();
         terms.resize(masses.len(), [Lane::ZERO; 4]);
         pass.simd.run(Measure { masses, states, before, terms });
@@ -358,10 +352,9 @@ fn frame_of(pair: [u32; 2], bodies: &SolverBodies) -> Frame {
     };
     let index = index & !READ_ONLY;
     let (v, w) = bodies.states[index as usize].velocity();
-    if v.length_squared() + ang_dot(w, w) > 0.0 { Frame::Body(index) } else { Frame::Rest }
-}
-
-/// The centre of mass of a body.
-fn center(index: usize, bodies: &SolverBodies) -> Vector {
-    bodies.poses[index].center() + bodies.states[index].displacement().0
+    match (v.length_squared() > 0.0, ang_dot(w, w) > 0.0) {
+        (_, true) => Frame::None,
+        (true, _) => Frame::Body(index),
+        _ => Frame::Rest,
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::limits::Owner;
 use super::rows::{ConstrainedStates, JacobianPool, Row};
-use super::system::FORCE_COMPLIANCE_MIN;
+use super::system::{EQUATION_COMPLIANCE_MIN, MOTOR_COMPLIANCE_MIN};
 use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::Real;
 use crate::model::joint::{JointMotor, MotorModel};
@@ -91,7 +91,8 @@ impl ForceRow {
         }
         let moved = if self.pull > 0.0 { jacobians.displacement(&self.row, states) } else { 0.0 };
         let wanted = f64::from(self.velocity + self.pull * (self.distance - moved));
-        let compliance_min = FORCE_COMPLIANCE_MIN / f64::from(self.row.mass);
+        let least = if self.is_friction { EQUATION_COMPLIANCE_MIN } else { MOTOR_COMPLIANCE_MIN };
+        let compliance_min = least / f64::from(self.row.mass);
         let damping = 1.0 / f64::from(self.compliance).max(compliance_min);
         let bound = f64::from(self.impulse_max);
         AxisLaw { damping, pull: -wanted * damping, bound, ..AxisLaw::FREE }

@@ -28,14 +28,14 @@ const LOOP_ROWS_MAX: usize = 120;
 /// Largest number of rows that are solved together. Larger groups, as of a rope with dry friction, are solved
 /// in consecutive parts.
 const ROWS_MAX: usize = 240;
-/// Least compliances of equations, and of motors and dry friction, as fractions of the responses of their
-/// rows to an impulse. A motor may oppose an equation or a limit that leaves it no rate. The rows of all
-/// three are redundant then, and the motor with its largest force must be the one that yields. Equal rows
-/// share a load by their compliances, and the rounding of nearly redundant ones stays small. A load of a
-/// thousand times the links' mass sinks by less than a millimetre per second, which the next correction takes
-/// back.
+/// Smallest compliance of equations and of dry friction, as a fraction of the response of the row to an
+/// impulse. Equal rows share a load by it, and the rounding of nearly redundant ones stays small. A load of a
+/// thousand times the links' mass moves a row by less than a millimetre per second. Equations correct the
+/// error, and friction creeps: by 10⁻⁶ m/s under its own weight.
 pub const EQUATION_COMPLIANCE_MIN: f64 = 1.0e-5;
-pub const FORCE_COMPLIANCE_MIN: f64 = 1.0e-4;
+/// The same for motors. Where a gear or a limit leaves a motor no rate, their rows are redundant, and the
+/// motor must yield.
+pub const MOTOR_COMPLIANCE_MIN: f64 = 1.0e-4;
 /// A limit beyond this rate is not reached in the substep: its last impulse was that of another limit.
 const FAR_RATE: f64 = 1.0e6;
 

@@ -17,9 +17,10 @@
 
 use super::driven::add_changes;
 use super::jacobians::{Motion, locked_axes};
+use super::joint::DirectJoint;
 use super::matrix::Matrix;
 use super::memory::Jacobians;
-use super::pattern::{Component, DirectJoint};
+use super::pattern::Component;
 use crate::dim::math::{DIM, Real, SPATIAL_DIM};
 
 /// Largest angle (rad) by which a correction rotates a body in a substep.

@@ -1,8 +1,9 @@
 //! The matrix of one component, with blocks of the size of its joints' rows.
 
+use super::joint::DirectJoint;
 use super::matrix::{Matrix, Rows};
 use super::memory::Jacobians;
-use super::pattern::{Component, DirectJoint};
+use super::pattern::Component;
 use super::progress::Progress;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Simd;

@@ -1,8 +1,8 @@
 //! The rows of joints in double precision, and the coupling of the rows of two joints.
 
 use super::dense::{Block, Column, PIVOT_MIN, add};
+use super::joint::DirectJoint;
 use super::memory::Jacobians;
-use super::pattern::DirectJoint;
 use crate::dim::math::{DIM, SPATIAL_DIM};
 use core::ops::Range;
 

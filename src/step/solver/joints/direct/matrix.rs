@@ -34,8 +34,9 @@
 use super::dense::{Block, Column, PIVOT_MIN, add, divide_right, dot, factorise, zero};
 use super::driven::DrivenAxis;
 use super::jacobians::{JointRows, Motion, compliance_of, couple, impulses_of, locked_axes};
+use super::joint::DirectJoint;
 use super::memory::Jacobians;
-use super::pattern::{Component, DirectJoint};
+use super::pattern::Component;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::{DIM, Real};

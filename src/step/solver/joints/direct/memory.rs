@@ -6,8 +6,8 @@ use super::super::passes::{Locked, compliance_of, note_angvel_change, rates_here
 use super::super::rows::{Masses, Row};
 use super::super::substep_end::SubstepEnd;
 use super::driven_rows::{DrivenRow, write_driven};
+use super::joint::DirectJoint;
 use super::masses::InverseMass;
-use super::pattern::DirectJoint;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim::joint::{components, from_components};

@@ -36,6 +36,7 @@ mod driven;
 mod driven_rows;
 mod factor;
 mod jacobians;
+mod joint;
 mod masses;
 mod matrix;
 mod memory;
@@ -46,11 +47,11 @@ mod progress;
 mod tests;
 
 pub(super) use driven_rows::{AxisNow, write_law};
+pub(super) use joint::DirectJoint;
 pub(super) use matrix::Rows;
 pub(super) use memory::{
     ImpactImpulse, JacobianBlock, Jacobians, SharedJacobians, count, finish, write_rows,
 };
-pub(super) use pattern::DirectJoint;
 
 use super::block::JointBlock;
 use crate::base::disjoint::DisjointMut;
@@ -60,7 +61,8 @@ use crate::dim::math::{Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
 use crate::step::solver::impact_time::ImpactTime;
 use factor::Factor;
-use pattern::{Pattern, has_moderate_mass_ratio};
+use joint::has_moderate_mass_ratio;
+use pattern::Pattern;
 use progress::Progress;
 
 /// Largest number of Newton steps per substep towards the constrained poses. A pendulum keeps its energy with
@@ -165,6 +167,11 @@ impl Direct {
     /// Returns whether the joint is connected with no other one, and drives a single axis.
     pub fn is_alone(&self, slot: u32) -> bool {
         self.pattern.is_alone(slot)
+    }
+
+    /// Returns whether the joint's component is too large for a direct solution: a large net.
+    pub fn is_too_large(&self, slot: u32) -> bool {
+        self.pattern.is_too_large(slot)
     }
 
     /// Notes the block and the lane of a joint's rows. Returns whether the joint is solved directly.

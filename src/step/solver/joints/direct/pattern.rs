@@ -1,10 +1,8 @@
 //! Connected joints, their elimination order, and the places of blocks.
 
+use super::joint::{DirectJoint, has_moderate_mass_ratio};
 use super::order::{Ordering, products};
-use crate::dim::math::Real;
-use crate::dim::state::{BodyPose, READ_ONLY};
 use crate::model::island::NONE;
-use crate::model::joint::JointForm;
 use core::ops::{Range, RangeInclusive};
 
 /// Largest average number of block products per joint. Beyond that, iterations are so much cheaper that their
@@ -25,80 +23,6 @@ const NET_JOINTS_PER_BODY_MAX: usize = 6;
 /// component is solved directly in the next step. Springs and motors carry loads, and those that are stiffer
 /// than iterations can follow would add energy.
 const UNATTACHED_JOINT_COUNTS: RangeInclusive<usize> = 6..=24;
-const MASS_RATIO_MODERATE_MAX: Real = 32.0;
-
-/// A joint in the factorisation.
-#[derive(Copy, Clone, Debug, PartialEq)]
-pub(in super::super) struct DirectJoint {
-    /// The joint's slot in its set: the order of members must not depend on other islands.
-    pub slot: u32,
-    /// Block and lane of its rows.
-    pub block: u32,
-    pub lane: u32,
-    /// Solver indices of its bodies.
-    pub bodies: [u32; 2],
-    /// Inverse masses of its bodies; zero for immovable ones.
-    pub inv_masses: [Real; 2],
-    /// Whether a body has both locked and free axes of its own.
-    pub has_locked_body: bool,
-    /// Whether the last step took back impulses in its island: see `solver/ledger/`.
-    pub is_strained: bool,
-    pub form: JointForm,
-    /// Number of its rows of locked axes.
-    pub locked_row_count: u8,
-}
-
-impl DirectJoint {
-    /// No joint.
-    pub const NONE: Self = Self {
-        slot: NONE,
-        block: 0,
-        lane: 0,
-        bodies: [READ_ONLY; 2],
-        inv_masses: [0.0; 2],
-        has_locked_body: false,
-        is_strained: false,
-        form: JointForm {
-            locked: 0,
-            driven: 0,
-            is_point_to_point: false,
-            is_weld: false,
-            is_transmission: false,
-            is_soft: false,
-            does_work: false,
-        },
-        locked_row_count: 0,
-    };
-
-    /// The joint in a slot between two bodies; where its rows will be is not known yet.
-    pub fn new(slot: u32, bodies: [u32; 2], form: JointForm, poses: &[BodyPose]) -> Self {
-        let ends = bodies.map(|body| (body & READ_ONLY == 0).then(|| &poses[body as usize]));
-        let inv_masses = ends.map(|end| end.map_or(0.0, |pose| pose.inv_mass().max_element()));
-        let has_locked_body = ends.into_iter().flatten().any(BodyPose::has_locked_axis);
-        let locked_row_count = form.row_count() as u8;
-        Self { slot, bodies, inv_masses, has_locked_body, form, locked_row_count, ..Self::NONE }
-    }
-
-    /// Returns whether there is a joint.
-    pub fn is_valid(&self) -> bool {
-        self.slot != NONE
-    }
-
-    /// Number of its rows of locked axes.
-    pub fn locked_row_count(&self) -> usize {
-        usize::from(self.locked_row_count)
-    }
-
-    /// Number of its rows, of locked and driven axes.
-    pub fn row_count(&self) -> usize {
-        usize::from(self.locked_row_count + self.form.driven)
-    }
-
-    /// The bodies that can move, with their sides.
-    pub fn movable(&self) -> impl Iterator<Item = (usize, u32)> + use<> {
-        self.bodies.into_iter().enumerate().filter(|(_, body)| body & READ_ONLY == 0)
-    }
-}
 
 /// The structure of all components.
 #[derive(Default)]
@@ -110,6 +34,8 @@ pub(super) struct Pattern {
     position_of_slot: Vec<u32>,
     /// By slot: whether the joint is connected with no other one, and drives a single axis.
     is_alone: Vec<bool>,
+    /// By slot: whether the joint's component is too large for a direct solution.
+    is_too_large: Vec<bool>,
     /// In the order of elimination; those of one component together.
     members: Vec<DirectJoint>,
     components: Vec<Part>,
@@ -162,16 +88,6 @@ struct Search {
     position: Vec<u32>,
 }
 
-/// Returns whether the masses of the bodies of these joints are within [`MASS_RATIO_MODERATE_MAX`].
-pub(super) fn has_moderate_mass_ratio<'a>(members: impl Iterator<Item = &'a DirectJoint>) -> bool {
-    let bodies =
-        members.flat_map(|member| member.movable().map(|(side, _)| member.inv_masses[side]));
-    let [least, most] = bodies.fold([Real::INFINITY, 0.0], |[least, most], inv_mass| {
-        [inv_mass.min(least), inv_mass.max(most)]
-    });
-    most <= MASS_RATIO_MODERATE_MAX * least
-}
-
 impl Pattern {
     pub fn component_count(&self) -> usize {
         self.components.len()
@@ -185,6 +101,11 @@ impl Pattern {
     /// Returns whether the joint is connected with no other one, and drives a single axis.
     pub fn is_alone(&self, slot: u32) -> bool {
         self.is_alone.get(slot as usize).is_some_and(|is_alone| *is_alone)
+    }
+
+    /// Returns whether the joint's component is too large for a direct solution: a large net.
+    pub fn is_too_large(&self, slot: u32) -> bool {
+        self.is_too_large.get(slot as usize).is_some_and(|is_too_large| *is_too_large)
     }
 
     /// Notes the block and the lane of a joint's rows. Returns whether the joint is in a component.
@@ -226,8 +147,10 @@ impl Pattern {
         self.bodies.clear();
         self.components.clear();
         let slots = given.iter().map(|member| member.slot as usize + 1).max().unwrap_or(0);
-        self.is_alone.clear();
-        self.is_alone.resize(slots, false);
+        for list in [&mut self.is_alone, &mut self.is_too_large] {
+            list.clear();
+            list.resize(slots, false);
+        }
         self.search.start(&members, body_count);
         self.find_components(&members);
         self.sorted = members;
@@ -251,7 +174,13 @@ impl Pattern {
             if self.search.is_easy(members) || self.search.is_single_row(members) {
                 continue;
             }
-            if !self.add_component(members) && self.search.keep_transmissions(members) {
+            if self.add_component(members) {
+                continue;
+            }
+            for &index in &self.search.order {
+                self.is_too_large[members[index as usize].slot as usize] = true;
+            }
+            if self.search.keep_transmissions(members) {
                 self.add_component(members);
             }
         }

@@ -2,9 +2,10 @@
 
 use super::driven_rows::DrivenRow;
 use super::factor::Factor;
+use super::joint::DirectJoint;
 use super::matrix::Rows;
 use super::memory::{JacobianBlock, Jacobians};
-use super::pattern::{DirectJoint, Pattern};
+use super::pattern::Pattern;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Simd};
 use crate::dim::joint::unit_inertia;
