@@ -310,7 +310,7 @@ fn energy_of_random_trees_of_impulse_joints_never_grows() {
 
 /// A post or a floor that moves does work. In its frame, impulses give no energy.
 #[test]
-fn trees_gain_no_energy_in_the_frame_of_what_carries_them() {
+fn trees_on_moving_bodies_gain_no_energy_in_their_frame() {
     let select = |case: Case| match case.place {
         Place::Space => Some(Case { hangs: true, drift: 5.0, ..case }),
         Place::Floor => Some(Case { drift: 5.0, ..case }),
@@ -322,7 +322,7 @@ fn trees_gain_no_energy_in_the_frame_of_what_carries_them() {
 /// Trees of hinges and sliders with servos that keep the initial pose, at up to 30 m/s. Springs return no
 /// more than they took.
 #[test]
-fn servos_of_any_stiffness_give_random_trees_no_energy() {
+fn servos_give_random_trees_no_energy() {
     check_trees(Joints::Servos, 30.0, Some, Sample::one_of(4), 120);
 }
 

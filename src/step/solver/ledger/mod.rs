@@ -26,7 +26,8 @@
 //! * *Correction*: those of the solve pass, which corrects errors by velocities, by `2 T(v)` and the energy
 //!   of all bodies at the largest speed of a correction.
 //! * *End*: after the relax pass, by `T(v)` of the start and the rest of the balance. A balance adds the
-//!   gains up, and is at most [`ERROR_MAX`](account) of the energy. Energy that is lost beyond that does not return.
+//!   gains up, and is at most [`ERROR_MAX`](account) of the energy. Energy that is lost beyond that does not
+//!   return.
 //!
 //! ## Scope
 //! Islands with joints, and islands with more deep contacts than bodies of such contacts, for which one relax
@@ -34,8 +35,8 @@
 //! with 4 m/s at most.) Other contacts converge, and their islands may be large.
 //!
 //! Motors do work. Their islands have no bound at the start, and the others include the most energy that the
-//! motors can give in a substep (`joints/motors_and_limits.rs`). That is no balance, but keeps an error from
-//! multiplying. Their exact work `λ J (v + Δv/2)` is useless as a bound: the impulses of rigid motors cancel,
+//! motors can give in a substep (`joints/motors_and_limits.rs`). That is no balance, but an error cannot
+//! multiply. Their exact work `λ J (v + Δv/2)` is useless as a bound: the impulses of rigid motors cancel,
 //! and their rounding exceeds `T`.
 //!
 //! The energy of an island with a kinematic body that translates is measured in the frame of that body
