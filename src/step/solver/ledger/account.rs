@@ -70,7 +70,9 @@ fn largest_fraction([t, b, a, _]: Terms<f64>, bound: f64) -> Real {
 pub struct Account {
     pub frame: Frame,
     pub has_joints: bool,
-    /// The numbers of its deep contacts, and of the bodies that have some.
+    /// Whether it has bodies without joints.
+    pub has_free_bodies: bool,
+    /// The numbers of deep contacts between its bodies, and of bodies with deep contacts.
     pub deep_contacts: usize,
     pub deep_bodies: usize,
     pub has_motors: bool,
@@ -108,15 +110,19 @@ impl Account {
     }
 
     pub fn is_open(&self) -> bool {
-        (self.has_joints || self.deep_contacts > self.deep_bodies)
-            && !self.is_driven
-            && self.frame != Frame::None
+        let is_loose = self.deep_contacts > self.deep_bodies;
+        (self.is_jointed() || is_loose) && !self.is_driven && self.frame != Frame::None
+    }
+
+    /// Returns whether joints connect all of its bodies with others.
+    fn is_jointed(&self) -> bool {
+        self.has_joints && !self.has_free_bodies
     }
 
     /// Returns whether a body may have to return impulses. Impulses act on pairs: all bodies of an island
     /// with joints return the same fraction.
     pub fn suspects(&self, is_deep: bool) -> bool {
-        self.has_joints || is_deep
+        self.is_jointed() || is_deep
     }
 
     /// Makes an entry for corrections of up to these velocities of joints and of contacts.

@@ -30,9 +30,10 @@
 //!   return.
 //!
 //! ## Scope
-//! Islands with joints, and islands with more deep contacts than bodies of such contacts, for which one relax
-//! iteration does not converge. (A thousand balls at one point left with 300 m/s, though each contact pushes
-//! with 4 m/s at most.) Other contacts converge, and their islands may be large.
+//! Islands in which every body has a joint, and islands with more deep contacts between bodies than bodies of
+//! such contacts, for which one relax iteration does not converge. (A thousand balls at one point left with
+//! 300 m/s, though each contact pushes with 4 m/s at most.) Other contacts converge, their islands may be
+//! large, and a fraction of their impulses would not carry a load: a box that falls on a seesaw sank into it.
 //!
 //! Motors do work. Their islands have no bound at the start, and the others include the most energy that the
 //! motors can give in a substep (`joints/motors_and_limits.rs`). That is no balance, but an error cannot
@@ -92,6 +93,8 @@ pub(super) struct Ledger {
     drives: IslandSums<1>,
     /// By index of a body: whether it is among the [deep bodies](Account::deep_bodies).
     is_deep: Vec<bool>,
+    /// By index of a body: whether it has a joint.
+    is_held: Vec<bool>,
     is_active: bool,
 }
 
@@ -105,8 +108,10 @@ impl Ledger {
     pub fn begin(&mut self, bodies: &SolverBodies) {
         self.accounts.clear();
         self.accounts.resize(bodies.island_bound(), Account::empty());
-        self.is_deep.clear();
-        self.is_deep.resize(bodies.states.len(), false);
+        for list in [&mut self.is_deep, &mut self.is_held] {
+            list.clear();
+            list.resize(bodies.states.len(), false);
+        }
         self.is_active = true;
     }
 
@@ -121,6 +126,9 @@ impl Ledger {
     pub fn note_joint(&mut self, pair: [u32; 2], drive: Drive, bodies: &SolverBodies) {
         if let Some(account) = self.accounts.get_mut(bodies.island_of(pair) as usize) {
             account.has_joints = true;
+            for body in pair.into_iter().filter(|body| body & READ_ONLY == 0) {
+                self.is_held[body as usize] = true;
+            }
             account.include_frame(frame_of(pair, bodies));
             account.has_motors |= drive == Drive::Motors;
             account.is_driven |= drive == Drive::Unbounded;
@@ -154,7 +162,8 @@ impl Ledger {
                 points.any(|it| it.mass.0[lane] > 0.0 && it.separation.0[lane] < -deep)
             };
             if deep.is_some_and(is_deep) {
-                account.deep_contacts += 1;
+                let is_between = pair.iter().all(|body| body & READ_ONLY == 0);
+                account.deep_contacts += usize::from(is_between);
                 for body in pair.into_iter().filter(|body| body & READ_ONLY == 0) {
                     let was_deep = core::mem::replace(&mut self.is_deep[body as usize], true);
                     account.deep_bodies += usize::from(!was_deep);
@@ -165,17 +174,17 @@ impl Ledger {
         }
     }
 
-    /// Leaves islands out in which the world holds an axis of a body, while their frame moves.
-    fn leave_out_locked(&mut self, bodies: &SolverBodies) {
-        if !self.accounts.iter().any(|account| matches!(account.frame, Frame::Body(_))) {
-            return;
-        }
+    /// Finds the islands with bodies that no joint holds, and leaves those out in which the world holds an
+    /// axis of a body, while their frame moves.
+    fn inspect_bodies(&mut self, bodies: &SolverBodies) {
         let [_, members] = bodies.moving();
         for index in members {
             let Some(account) = self.accounts.get_mut(bodies.islands[index] as usize) else {
                 continue;
             };
-            let is_locked = bodies.poses[index].inv_mass().min_element() == 0.0;
+            let inv_mass = bodies.poses[index].inv_mass();
+            account.has_free_bodies |= !self.is_held[index] && inv_mass.max_element() > 0.0;
+            let is_locked = inv_mass.min_element() == 0.0;
             if matches!(account.frame, Frame::Body(carrier) if is_locked && carrier != index as u32)
             {
                 account.frame = Frame::None;
@@ -185,7 +194,7 @@ impl Ledger {
 
     /// Opens the accounts: reads the masses of their bodies.
     pub fn open(&mut self, bodies: &SolverBodies) {
-        self.leave_out_locked(bodies);
+        self.inspect_bodies(bodies);
         let Self { accounts, members, masses, .. } = self;
         self.is_active &= accounts.iter().any(Account::is_open);
         if !self.is_active {
