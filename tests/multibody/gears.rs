@@ -128,8 +128,8 @@ fn free_gears_keep_momentum_and_energy() {
     assert!((energy_now / energy - 1.0).abs() < 0.01, "{energy} to {energy_now}");
 }
 
-/// A motor on one wheel, and the limit of the other: with the gear between both, the motor has no rate that
-/// is its own, and must yield. The largest torque accelerates a free wheel by 1 to 10³ rad/s per substep.
+/// A motor on one wheel, and the limit of the other: with the gear between both wheels, the motor has no rate
+/// of its own, and must yield. The largest torque accelerates a free wheel by 1 to 10³ rad/s per substep.
 #[test]
 fn gears_hold_against_a_motor_and_a_limit() {
     let mut table = Table::new(

@@ -11,7 +11,7 @@ use crate::dim::math::Real;
 /// A unit of sums as a fraction of the largest term: 2²² terms fit into a sum.
 const UNIT: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// A sum of terms that are visited twice: first to find the largest one.
+/// A sum of terms that are visited twice: first to find the largest term.
 #[derive(Copy, Clone, Debug, Default)]
 pub(super) struct UnorderedSum {
     largest: f64,

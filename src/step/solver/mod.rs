@@ -298,8 +298,7 @@ impl Constraints {
         if !ledger.is_active() {
             return;
         }
-        // The first entry has no bound where there are motors.
-        if entry != Entry::Start {
+        if ledger.needs_drives(entry) {
             joints.note_drives(ledger, bodies);
         }
         if ledger.enter(entry, bodies, pass) {

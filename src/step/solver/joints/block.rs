@@ -118,7 +118,7 @@ impl JointBlock {
         if first & READ_ONLY == 0 { first } else { second & !READ_ONLY }
     }
 
-    /// Scales the impulses of this substep, and their part of the sums over all substeps if these include it.
+    /// Scales the impulses of this substep, and their part of the sums over all substeps if that is counted.
     pub fn scale_impulses(&mut self, factors: &Lane, are_counted: bool) {
         if are_counted {
             self.take_off_totals(factors);

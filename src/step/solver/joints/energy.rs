@@ -4,7 +4,7 @@ use super::SolverJoints;
 use crate::base::wide::{LANES, Lane};
 use crate::model::joint::JointForm;
 use crate::step::solver::bodies::SolverBodies;
-use crate::step::solver::ledger::{Drive, Entry, Ledger};
+use crate::step::solver::ledger::{Entry, Frame, Ledger};
 
 impl SolverJoints {
     /// Leaves all islands the fractions of their impulses that the ledger keeps.
@@ -31,19 +31,18 @@ impl SolverJoints {
         }
     }
 
-    /// Notes the island and the drive of each joint.
+    /// Notes the island of each joint, and the frames in which the joint does no work.
     pub fn note_in(&self, ledger: &mut Ledger, bodies: &SolverBodies) {
         for member in &self.members {
-            let drive = match member.form {
-                _ if self.direct.is_too_large(member.slot) => Drive::Unbounded,
-                JointForm { does_work: false, .. } => Drive::None,
-                JointForm { is_soft: false, is_transmission: false, .. } => Drive::Motors,
-                _ => Drive::Unbounded,
+            let JointForm { is_soft, is_transmission, does_work, .. } = member.form;
+            let is_elastic = is_soft || (is_transmission && does_work);
+            let frame = match is_elastic || self.direct.is_too_large(member.slot) {
+                true => Frame::None,
+                // Its coordinate is relative to the world.
+                false if is_transmission => Frame::Rest,
+                false => Frame::Any,
             };
-            ledger.note_joint(member.bodies, drive, bodies);
-            if member.form.is_transmission {
-                ledger.note_transmission(member.bodies, bodies);
-            }
+            ledger.note_joint(member.bodies, frame, does_work, bodies);
         }
     }
 

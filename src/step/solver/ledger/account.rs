@@ -8,16 +8,6 @@ const ERROR_MAX: f64 = 0.025;
 /// Relative rounding error of the terms.
 const ROUNDING: f64 = 8.0 * Real::EPSILON as f64;
 
-/// What does work on bodies, apart from the impulses that an entry compares.
-#[derive(Copy, Clone, Debug, PartialEq)]
-pub enum Drive {
-    None,
-    /// Motors, whose energy is bounded.
-    Motors,
-    /// Anything else.
-    Unbounded,
-}
-
 /// The frame in which the energy of an island is measured: that of the bodies which hold or touch its bodies
 /// and cannot be moved.
 ///
@@ -33,7 +23,8 @@ pub enum Frame {
     Rest,
     /// That of a body that translates, by its index.
     Body(u32),
-    /// A body rotates, or several bodies have different frames.
+    /// Something does work in each frame: a body rotates, several bodies have different frames, or surfaces
+    /// move. The island is left out.
     None,
 }
 
@@ -76,8 +67,6 @@ pub struct Account {
     pub deep_contacts: usize,
     pub deep_bodies: usize,
     pub has_motors: bool,
-    /// Whether something does work on it that no entry includes.
-    pub is_driven: bool,
     /// `T(v)` of the substep.
     energy: f64,
     /// The most energy that motors can give in the substep.
@@ -111,10 +100,10 @@ impl Account {
 
     pub fn is_open(&self) -> bool {
         let is_loose = self.deep_contacts > self.deep_bodies;
-        (self.is_jointed() || is_loose) && !self.is_driven && self.frame != Frame::None
+        (self.is_jointed() || is_loose) && self.frame != Frame::None
     }
 
-    /// Returns whether joints connect all of its bodies with others.
+    /// Returns whether each of its bodies has a joint.
     fn is_jointed(&self) -> bool {
         self.has_joints && !self.has_free_bodies
     }

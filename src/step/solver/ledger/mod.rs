@@ -33,7 +33,7 @@
 //! Islands in which every body has a joint, and islands with more deep contacts between bodies than bodies of
 //! such contacts, for which one relax iteration does not converge. (A thousand balls at one point left with
 //! 300 m/s, though each contact pushes with 4 m/s at most.) Other contacts converge, their islands may be
-//! large, and a fraction of their impulses would not carry a load: a box that falls on a seesaw sank into it.
+//! large, and a fraction of their impulses would not carry a load: boxes sank into the plank of a seesaw.
 //!
 //! Motors do work. Their islands have no bound at the start, and the others include the most energy that the
 //! motors can give in a substep (`joints/motors_and_limits.rs`). That is no balance, but an error cannot
@@ -64,8 +64,8 @@ use crate::dim::wide::set_symmetric_lane;
 use crate::model::body::EnergyError;
 use crate::model::contact::ContactInput;
 use crate::model::params::ContactPass;
-use account::{Account, Frame, Terms};
-pub(super) use account::{Drive, Entry};
+use account::{Account, Terms};
+pub(super) use account::{Entry, Frame};
 use core::ops::Range;
 use measure::{Masses, Measure};
 
@@ -118,27 +118,26 @@ impl Ledger {
     /// Leaves an island out.
     pub fn leave_out(&mut self, island: u32) {
         if let Some(account) = self.accounts.get_mut(island as usize) {
-            account.is_driven = true;
+            account.include_frame(Frame::None);
         }
     }
 
-    /// Includes the island of a joint.
-    pub fn note_joint(&mut self, pair: [u32; 2], drive: Drive, bodies: &SolverBodies) {
+    /// Includes the island of a joint. Apart from its motors, the joint does no work in this frame.
+    pub fn note_joint(
+        &mut self,
+        pair: [u32; 2],
+        frame: Frame,
+        has_motors: bool,
+        bodies: &SolverBodies,
+    ) {
         if let Some(account) = self.accounts.get_mut(bodies.island_of(pair) as usize) {
             account.has_joints = true;
+            account.has_motors |= has_motors;
+            account.include_frame(frame);
+            account.include_frame(frame_of(pair, bodies));
             for body in pair.into_iter().filter(|body| body & READ_ONLY == 0) {
                 self.is_held[body as usize] = true;
             }
-            account.include_frame(frame_of(pair, bodies));
-            account.has_motors |= drive == Drive::Motors;
-            account.is_driven |= drive == Drive::Unbounded;
-        }
-    }
-
-    /// Measures the energy of the island of a transmission at rest: its coordinate is not relative.
-    pub fn note_transmission(&mut self, pair: [u32; 2], bodies: &SolverBodies) {
-        if let Some(account) = self.accounts.get_mut(bodies.island_of(pair) as usize) {
-            account.include_frame(Frame::Rest);
         }
     }
 
@@ -170,7 +169,9 @@ impl Ledger {
                 }
             }
             account.include_frame(frame_of(pair, bodies));
-            account.is_driven |= is_driven(pair, lane, input);
+            if is_driven(pair, lane, input) {
+                account.include_frame(Frame::None);
+            }
         }
     }
 
@@ -229,6 +230,13 @@ impl Ledger {
     /// Returns whether any account is open.
     pub fn is_active(&self) -> bool {
         self.is_active
+    }
+
+    /// Returns whether an entry has bounds that include what motors can give. The first one of a substep has
+    /// no bound where there are motors.
+    pub fn needs_drives(&self, entry: Entry) -> bool {
+        let mut accounts = self.accounts.iter();
+        entry != Entry::Start && accounts.any(|account| account.has_motors && account.is_open())
     }
 
     /// Adds the most energy that motors between two bodies can give in the substep of the next entry.

@@ -10,9 +10,8 @@
 
 use super::Moving;
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
-use super::system::{EQUATION_COMPLIANCE_MIN, RowSystem, SystemRow};
+use super::system::{RowSystem, SystemRow, equation};
 use crate::dim::math::Real;
-use crate::step::solver::axis_law::AxisLaw;
 
 /// One coupling.
 #[derive(Debug)]
@@ -83,13 +82,7 @@ impl Gears {
         for gear in &self.gears {
             let error = gear.error + jacobians.displacement(&gear.row, states);
             let correction = if bias { -error * self.bias_rate } else { 0.0 };
-            let law = match gear.row.mass {
-                0.0 => AxisLaw::FREE,
-                mass => AxisLaw::equation_of(
-                    f64::from(correction),
-                    EQUATION_COMPLIANCE_MIN / f64::from(mass),
-                ),
-            };
+            let law = equation(&gear.row, correction, 0.0);
             let impulses = [gear.impulse, 0.0, 0.0];
             system.rows.push(SystemRow::new(system.group(gear.multibody), gear.row, law, impulses));
         }

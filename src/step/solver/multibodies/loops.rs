@@ -18,7 +18,7 @@ use super::limits::Owner;
 use super::load::scale_impulses;
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::Side;
-use super::system::{EQUATION_COMPLIANCE_MIN, RowSystem, SystemRow};
+use super::system::{RowSystem, SystemRow, equation};
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
@@ -462,12 +462,7 @@ impl Loops {
 impl Loop {
     /// The law of a locked axis: an equation, with the compliance of a spring.
     fn law(&self, locked: &Locked, with_compliance: bool) -> AxisLaw {
-        if locked.row.mass == 0.0 {
-            return AxisLaw::FREE;
-        }
-        let response = 1.0 / f64::from(locked.row.mass);
         let compliance = if with_compliance { f64::from(self.softness.compliance()) } else { 0.0 };
-        let compliance = compliance.max(EQUATION_COMPLIANCE_MIN) * response;
-        AxisLaw::equation_of(f64::from(-locked.bias), compliance)
+        equation(&locked.row, -locked.bias, compliance)
     }
 }

@@ -39,6 +39,15 @@ pub const MOTOR_COMPLIANCE_MIN: f64 = 1.0e-4;
 /// A limit beyond this rate is not reached in the substep: its last impulse was that of another limit.
 const FAR_RATE: f64 = 1.0e6;
 
+/// The law of an equation along a row: a rate, with a compliance as a fraction of the row's response.
+pub fn equation(row: &Row, rate: Real, compliance: f64) -> AxisLaw {
+    if row.mass == 0.0 {
+        return AxisLaw::FREE;
+    }
+    let compliance = compliance.max(EQUATION_COMPLIANCE_MIN) * (1.0 / f64::from(row.mass));
+    AxisLaw::equation_of(f64::from(rate), compliance)
+}
+
 /// A row in the system.
 #[derive(Clone, Debug)]
 pub struct SystemRow {

@@ -55,7 +55,7 @@ impl PointToPointBlock {
         frame: WideRotation::IDENTITY,
     };
 
-    /// Scales the impulses of this substep, and their part of the sum over all substeps if it includes these.
+    /// Scales the impulses of this substep, and their part of the sum over all substeps if that is counted.
     pub fn scale_impulses(&mut self, factors: &Lane, are_counted: bool) {
         for (lane, factor) in factors.0.into_iter().enumerate() {
             if are_counted {

@@ -153,7 +153,7 @@ impl Transmissions {
     }
 
     /// Scales the effect of impulses by the fraction, if any, that the constraints of a block of bodies keep,
-    /// and their part of the sums over all substeps if these include it.
+    /// and their part of the sums over all substeps if that is counted.
     pub fn scale_impulses(
         &mut self,
         (blocks, rows): (&[JointBlock], &[AxisRow]),
