@@ -69,7 +69,7 @@ impl CollisionPipeline {
         }
         let world = World {
             gravity: Vector::ZERO,
-            params: integration_parameters,
+            params: *integration_parameters,
             structure: Structure { bodies, colliders, narrow_phase, islands },
             broad_phase,
             joints: &mut ImpulseJointSet::new(),

@@ -114,7 +114,7 @@ impl PhysicsPipeline {
         }
         let world = World {
             gravity,
-            params: integration_parameters,
+            params: *integration_parameters,
             structure: Structure { bodies, colliders, narrow_phase, islands },
             broad_phase,
             joints: impulse_joints,

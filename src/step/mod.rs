@@ -31,10 +31,21 @@ pub(crate) use scratch::StepScratch;
 pub use trace::StepStage;
 pub(crate) use world::World;
 
-/// One step of the world. The parameters must be valid.
-pub(crate) fn step(world: World<'_>, counters: &mut Counters, scratch: &mut StepScratch) {
+/// One step of the world, in parts if impacts may divide it. The parameters must be valid.
+pub(crate) fn step(mut world: World<'_>, counters: &mut Counters, scratch: &mut StepScratch) {
     let threads = scratch.threads.clone();
-    threads.open(|tasks| Step::new(world, counters, scratch, tasks).run());
+    scratch.trace.clear();
+    counters.reset();
+    threads.open(|tasks| {
+        let parts = world.params.max_ccd_substeps.max(1);
+        for part in 1..=parts {
+            let step = Step::new(world.reborrow(), counters, scratch, tasks);
+            world.params.dt = step.run(part < parts);
+            if world.params.dt <= 0.0 {
+                break;
+            }
+        }
+    });
 }
 
 /// The collision detection of a step, without any motion. Applies the user's edits if `apply_changes`.
@@ -47,6 +58,8 @@ pub(crate) fn detect_collisions(
     apply_changes: bool,
 ) {
     let threads = scratch.threads.clone();
+    scratch.trace.clear();
+    counters.reset();
     threads.open(|tasks| Step::new(world, counters, scratch, tasks).detect(joints, apply_changes));
 }
 
@@ -58,13 +71,16 @@ struct Step<'a> {
     tasks: Tasks<'a>,
     /// The duration of the motion: 0 until bodies have moved.
     duration: Real,
+    /// The time that an impact has divided off: another step takes it.
+    time_left: Real,
     /// A panic of a hook or an event handler. It continues when the world is consistent again.
     panic: HeldPanic,
 }
 
 impl Step<'_> {
-    /// All stages. A step in which bodies diverged is repeated without the causes.
-    fn run(mut self) {
+    /// All stages. A step in which bodies diverged is repeated without the causes. Returns the time that is
+    /// left if the step ends at an impact, which is possible if `may_divide`.
+    fn run(mut self, may_divide: bool) -> Real {
         let stamp = self.resync();
         self.quarantine_edits();
         self.hold_panic(|step| {
@@ -74,6 +90,9 @@ impl Step<'_> {
                 step.narrow_phase();
                 step.islands();
                 step.ccd_candidates();
+                if may_divide {
+                    step.divide();
+                }
                 step.solver();
                 if step.all_converged() {
                     break;
@@ -86,9 +105,12 @@ impl Step<'_> {
                 step.sleep();
             }
         });
+        self.restore_targets();
         self.report_quarantine();
         self.events();
+        let time_left = self.time_left;
         self.end(stamp);
+        time_left
     }
 
     /// The stages that move no body.

@@ -50,13 +50,19 @@ impl FastMotion {
     /// fast if it moved farther than the prediction distance. A deeply penetrating body is fast if it moved
     /// at all. No body is fast if CCD is off.
     pub fn is_fast(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
+        let is_deep = body.deeply_penetrating && bound > 0.0;
+        params.max_ccd_substeps > 0 && (is_deep || Self::moves_far(body, bound, params))
+    }
+
+    /// Returns whether a body that moved by at most `bound` may have passed through something.
+    pub fn moves_far(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
         let is_solid = body.thickness > 0.0;
-        let little = if is_solid {
-            MOTION_FRACTION_MAX * body.thickness
-        } else {
-            params.prediction_distance()
-        };
-        params.max_ccd_substeps > 0 && bound > if body.deeply_penetrating { 0.0 } else { little }
+        bound
+            > if is_solid {
+                MOTION_FRACTION_MAX * body.thickness
+            } else {
+                params.prediction_distance()
+            }
     }
 
     /// Velocity when a fraction of the motion was left, for a velocity of `end` at the end. It excludes the
@@ -96,6 +102,8 @@ pub(crate) struct StepNotes {
     pub intersections: Vec<(PairId, PairChange)>,
     /// Bodies that were found deep in something that is not dynamic, in any order.
     pub deeply_penetrating: Vec<RigidBodyHandle>,
+    /// In a divided step: position-based kinematic bodies, and their targets at the end of the whole step.
+    pub targets: Vec<(RigidBodyHandle, Pose)>,
     /// Touch events in the order of discovery; see [`Self::order_events`].
     pub events: Vec<CollisionEvent>,
     /// Bodies that moved far, in the order in which the solver has them.
@@ -120,6 +128,7 @@ impl StepNotes {
     /// Clears all notes.
     pub fn clear(&mut self) {
         self.clear_attempt();
+        self.targets.clear();
         self.events.clear();
         self.broken.clear();
     }

@@ -28,11 +28,10 @@ impl<'a> Step<'a> {
         scratch: &'a mut StepScratch,
         tasks: Tasks<'a>,
     ) -> Self {
-        counters.reset();
         counters.step_time.resume();
         scratch.notes.clear();
-        scratch.trace.clear();
-        Self { world, counters, scratch, tasks, duration: 0.0, panic: HeldPanic::default() }
+        let (duration, time_left) = (0.0, 0.0);
+        Self { world, counters, scratch, tasks, duration, time_left, panic: HeldPanic::default() }
     }
 }
 
@@ -118,7 +117,7 @@ impl Step<'_> {
             colliders,
             islands,
             lanes,
-            params: self.world.params,
+            params: &self.world.params,
             hooks: self.world.hooks,
             simd: *simd,
         };
@@ -149,6 +148,43 @@ impl Step<'_> {
             ccd::find_approaches(structure, trees, params, approaches);
         });
         self.validate();
+    }
+
+    /// Ends the step at the first impact of a fast body, unless an earlier attempt did.
+    pub(super) fn divide(&mut self) {
+        let World { structure, broad_phase: trees, multibodies, params, hooks, gravity, .. } =
+            &mut self.world;
+        let StepScratch { ccd: scratch, notes, .. } = self.scratch;
+        if self.time_left > 0.0 || params.dt <= 0.0 {
+            return;
+        }
+        let Structure { bodies, colliders, narrow_phase, islands } = structure;
+        let context = CcdContext {
+            bodies,
+            colliders,
+            multibodies,
+            islands,
+            trees,
+            narrow_phase,
+            params,
+            hooks: *hooks,
+            fast: &[],
+            trajectories: &[],
+        };
+        let find = || ccd::first_impact_time(self.tasks, context, *gravity, scratch);
+        if let Some(time) = self.counters.stages.ccd_time.measure(find) {
+            ccd::share_targets(bodies, islands, params, time / params.dt, &mut notes.targets);
+            self.time_left = params.dt - time;
+            params.dt = time;
+        }
+    }
+
+    /// Returns the targets of position-based kinematic bodies after a divided step.
+    pub(super) fn restore_targets(&mut self) {
+        for (handle, target) in self.scratch.notes.targets.drain(..) {
+            let body = self.world.structure.bodies.get_unnoted_mut(handle);
+            body.into_iter().for_each(|body| body.next_pose = target);
+        }
     }
 
     /// Moves the bodies, unless the step has no duration. If a body diverged, nothing is stored.

@@ -16,7 +16,8 @@ use crate::model::tree::BroadPhaseBvh;
 /// The sets and parameters of a world. The sets of the structure refer to each other.
 pub(crate) struct World<'a> {
     pub gravity: Vector,
-    pub params: &'a IntegrationParameters,
+    /// In a divided step, those of the present part.
+    pub params: IntegrationParameters,
     pub structure: Structure<'a>,
     pub broad_phase: &'a mut BroadPhaseBvh,
     /// Empty in collision detection, which reads joints only.
@@ -27,6 +28,20 @@ pub(crate) struct World<'a> {
 }
 
 impl World<'_> {
+    /// The world for a part of the step.
+    pub fn reborrow(&mut self) -> World<'_> {
+        World {
+            gravity: self.gravity,
+            params: self.params,
+            structure: self.structure.reborrow(),
+            broad_phase: self.broad_phase,
+            joints: self.joints,
+            multibodies: self.multibodies,
+            hooks: self.hooks,
+            events: self.events,
+        }
+    }
+
     /// The sets that a hash covers.
     pub fn hashed_sets(&self) -> WorldSets<'_> {
         WorldSets {

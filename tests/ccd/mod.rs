@@ -6,6 +6,7 @@
 
 mod bullets;
 mod chains;
+mod divided;
 mod drives;
 mod links;
 mod paths;

@@ -31,19 +31,6 @@ fn zero_substeps_disable_ccd() {
     }
 }
 
-/// Time is not divided, so `min_ccd_dt` has no effect on any bit.
-#[test]
-fn the_shortest_substep_has_no_effect() {
-    let place = |min_ccd_dt: Real| {
-        let (mut world, ball) = scene();
-        world.integration_parameters.min_ccd_dt = min_ccd_dt;
-        (0..10).for_each(|_| world.step());
-        world.bodies[ball].translation()
-    };
-    assert_eq!(place(0.0), place(1.0 / 6000.0));
-    assert_eq!(place(0.0), place(1.0));
-}
-
 /// A ball penetrates a wall with its front, its middle still outside, when a kinematic plate pushes it
 /// further at 100 m/s. Without CCD only contacts act against it.
 #[test]

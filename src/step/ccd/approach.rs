@@ -39,15 +39,15 @@ const CANDIDATES_MIN: usize = 256;
 
 /// Motion of a kinematic body in a step.
 #[derive(Copy, Clone)]
-struct KinematicMotion {
-    center: Vector,
-    shift: Vector,
-    rotvec: AngVector,
+pub(super) struct KinematicMotion {
+    pub center: Vector,
+    pub shift: Vector,
+    pub rotvec: AngVector,
 }
 
 impl KinematicMotion {
     /// The motion that the velocity of a body leads to.
-    fn ahead(body: &RigidBody, params: &IntegrationParameters) -> Self {
+    pub fn ahead(body: &RigidBody, params: &IntegrationParameters) -> Self {
         let velocity = match body.body_type {
             RigidBodyType::KinematicPositionBased => {
                 body.velocity_to_next_position(params.inv_dt())

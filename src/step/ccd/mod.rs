@@ -28,11 +28,15 @@
 //! Bodies that joints hold together stop together, when the first of them does: see [`groups`]. A multibody
 //! is such a group, and returns along the trajectory of its coordinates: see [`link_trajectories`].
 //!
+//! With `max_ccd_substeps` above 1, the step ends at the first impact and another one begins there: see
+//! [`division`].
+//!
 //! The rejected alternative is *speculative contacts*, found by boxes as long as the path. They stop bodies
 //! that would miss, and a fast body has half of the world nearby.
 
 mod approach;
 mod bullets;
+mod division;
 mod groups;
 mod path;
 mod ride;
@@ -53,6 +57,7 @@ use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 use crate::step::notes::FastMotion;
 pub(crate) use approach::{add_approached, find_approaches};
+pub(crate) use division::{first_impact_time, share_targets};
 
 use approach::Movers;
 use bullets::Bullets;
@@ -70,6 +75,8 @@ const BODIES_PER_TASK: usize = 2;
 #[derive(Default)]
 pub(crate) struct CcdScratch {
     movers: Movers,
+    /// Motions that the velocities before the solver lead to.
+    predicted: Vec<FastMotion>,
     /// By fast body: its stop by a non-dynamic collider.
     first: Vec<Stop>,
     /// By fast body: the executed fraction of its motion.
@@ -291,8 +298,8 @@ pub(crate) fn stop(
         "a ride follows a stop"
     );
     let StopContext { bodies, islands, fast, dt, .. } = &mut context;
-    counters.num_fast_bodies = fast.len();
-    counters.num_searches = scratch.searched.load(Ordering::Relaxed);
+    counters.num_fast_bodies += fast.len();
+    counters.num_searches += scratch.searched.load(Ordering::Relaxed);
     let stopped = fast.iter().zip(&scratch.toi_fractions);
     let stopped = stopped.filter(|(motion, fraction)| **fraction < 1.0 || motion.is_blocked);
     for (motion, &fraction) in stopped {

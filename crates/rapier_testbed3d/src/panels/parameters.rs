@@ -153,11 +153,11 @@ fn everyday(rows: &mut Rows<'_>, p: &mut IntegrationParameters, gravity: &mut Ve
         *gravity = axes.fold(Vector::ZERO, |sum, (axis, value)| sum + axis * value);
     });
     rows.number("length_unit", "Size of a typical body", &mut p.length_unit, 0.01..=100.0);
-    rows.row("max_ccd_substeps", "Continuous collision detection", |ui| {
-        let mut on = p.max_ccd_substeps != 0;
-        ui.checkbox(&mut on, "on");
-        p.max_ccd_substeps = usize::from(on);
-    });
+    rows.slider(
+        "max_ccd_substeps",
+        "Continuous collision detection: parts of a step, 0 is off",
+        Slider::new(&mut p.max_ccd_substeps, 0..=8),
+    );
 }
 
 fn iterations(rows: &mut Rows<'_>, p: &mut IntegrationParameters) {
@@ -250,7 +250,7 @@ fn continuous(rows: &mut Rows<'_>, p: &mut IntegrationParameters) {
     rows.row("ccd_on_penetration", "Stops bodies that touch something already", |ui| {
         ui.checkbox(&mut p.ccd_on_penetration, "on");
     });
-    rows.row("min_ccd_dt", "Accepted for compatibility; no effect", |ui| {
+    rows.row("min_ccd_dt", "Shortest part of a step that impacts divide (s)", |ui| {
         ui.add(DragValue::new(&mut p.min_ccd_dt).speed(1.0e-5).max_decimals(6));
     });
     rows.row("max_neighbors_per_collider", "Pairs of a collider with its size", |ui| {
