@@ -1,6 +1,6 @@
 //! Data that one stage leaves for later stages of the same step.
 
-use crate::dim::math::{AngVector, Pose, Real, Vector};
+use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_length_squared};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodyVelocity};
 use crate::model::collider::ColliderHandle;
 use crate::model::contact::PairId;
@@ -36,14 +36,34 @@ pub(crate) struct FastMotion {
     pub acceleration: Vector,
     /// For a link: index of the multibody in `trajectories`, and of the link in it.
     pub link: Option<(usize, usize)>,
-    /// Whether the path is blocked at its beginning. Such a body rotates, and its centre stays.
-    pub is_blocked: bool,
+    /// The part of the motion that is executed.
+    pub part: MotionPart,
+}
+
+/// The part of a motion that a body executes.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(crate) enum MotionPart {
+    Whole,
+    /// About the centre of mass. The centre stays.
+    Rotation,
+    Translation,
 }
 
 impl FastMotion {
     /// Displacement of the centre of mass on the path that CCD searches.
     pub fn path_shift(&self) -> Vector {
-        if self.is_blocked { Vector::ZERO } else { self.shift }
+        if self.part == MotionPart::Rotation { Vector::ZERO } else { self.shift }
+    }
+
+    /// Rotation vector (rad) on the path that CCD searches.
+    pub fn path_rotvec(&self) -> AngVector {
+        if self.part == MotionPart::Translation { ANG_ZERO } else { self.rotvec }
+    }
+
+    /// A bound of the way of all points on that path, of a body of this extent.
+    pub fn path_length(&self, extent: Real) -> Real {
+        let angle = ang_length_squared(self.path_rotvec()).sqrt();
+        self.path_shift().length() + angle * extent
     }
 
     /// Returns whether a body is fast that moved by at most `bound`. A body without interior (thickness 0) is
@@ -157,7 +177,7 @@ impl StepNotes {
 
 #[cfg(test)]
 mod tests {
-    use super::FastMotion;
+    use super::{FastMotion, MotionPart};
     use crate::dim::math::{ANG_ZERO, Pose, Real, Vector};
     use crate::model::body::RigidBodyHandle;
 
@@ -170,7 +190,7 @@ mod tests {
             rotvec: ANG_ZERO,
             acceleration: Vector::X * acceleration,
             link: None,
-            is_blocked: false,
+            part: MotionPart::Whole,
         }
     }
 

@@ -126,6 +126,8 @@ pub(crate) enum Overlap {
     /// It is stopped before contacts would be deeper than [`PENETRATION_FRACTION_MAX`]: deeper contacts may
     /// push it out on the wrong side.
     StopsEarly,
+    /// It is stopped after [`REMAINING_FRACTION`] of the path to where its core arrives.
+    StopsHalfway,
 }
 
 /// The fraction of the step at which the second shape stops the first; `None` if not before `until`.
@@ -328,6 +330,7 @@ fn impact_of_parts(
         Meeting::FromTheBeginning => match goal.overlap {
             Overlap::Passes => None,
             Overlap::StopsMiddle => Some(latest),
+            Overlap::StopsHalfway => Some(REMAINING_FRACTION * latest),
             Overlap::StopsEarly => {
                 let shallow = Body::core(own_shape, widths, PENETRATION_FRACTION_MAX)?;
                 let goal = Goal::new(0.0, goal_of_whole.tolerance, true);

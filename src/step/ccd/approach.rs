@@ -31,7 +31,7 @@ use crate::model::island::{BodyMotion, NONE};
 use crate::model::params::IntegrationParameters;
 use crate::model::structure::Structure;
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
-use crate::step::notes::{Approach, FastMotion};
+use crate::step::notes::{Approach, FastMotion, MotionPart};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
 /// Candidates that are listed before duplicates are removed for the first time.
@@ -270,7 +270,7 @@ fn motion_of(
         rotvec: body.vels.angvel * context.params.dt,
         acceleration: Vector::ZERO,
         link: None,
-        is_blocked: false,
+        part: MotionPart::Whole,
     })
 }
 

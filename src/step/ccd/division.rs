@@ -26,7 +26,7 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
 use crate::model::island::{BodyMotion, IslandManager};
 use crate::model::params::IntegrationParameters;
-use crate::step::notes::FastMotion;
+use crate::step::notes::{FastMotion, MotionPart};
 
 /// The time until the first impact of a fast body, if the impact divides the step.
 pub(crate) fn first_impact_time(
@@ -95,7 +95,7 @@ fn predict(
         rotvec,
         acceleration,
         link: None,
-        is_blocked: false,
+        part: MotionPart::Whole,
     })
 }
 

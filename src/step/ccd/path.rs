@@ -9,7 +9,7 @@ use crate::model::collider::{ActiveHooks, Collider, ColliderHandle, may_interact
 use crate::model::hooks::{PairFilterContext, lets_solver_push};
 use crate::model::island::NONE;
 use crate::model::tree::TreeKind;
-use crate::step::notes::FastMotion;
+use crate::step::notes::{FastMotion, MotionPart};
 use core::sync::atomic::Ordering;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use smallvec::SmallVec;
@@ -42,6 +42,7 @@ pub(super) struct Mover<'a> {
 /// The moving colliders of a body.
 pub(super) struct Path<'a> {
     pub body: &'a RigidBody,
+    part: MotionPart,
     pub movers: SmallVec<[Mover<'a>; 2]>,
 }
 
@@ -137,7 +138,7 @@ impl<'a> Path<'a> {
             return Some(Self::of_segments(search, body, segments, stop));
         }
         let sweep = |collider: &Collider| sweep_of(motion, collider.pose, stop);
-        Some(Self { body, movers: movers(search, body, sweep) })
+        Some(Self { body, part: motion.part, movers: movers(search, body, sweep) })
     }
 
     /// The path of all colliders of the fast body at a position along these segments, up to a fraction of the
@@ -163,7 +164,7 @@ impl<'a> Path<'a> {
             Some(parent) => Sweep::along(segments, &parent.pos_wrt_parent, center).until(stop),
             None => Sweep::at_rest(collider.pose),
         };
-        Self { body, movers: movers(search, body, sweep) }
+        Self { body, part: MotionPart::Whole, movers: movers(search, body, sweep) }
     }
 
     /// The pose of the body after a fraction of the step.
@@ -178,7 +179,19 @@ impl<'a> Path<'a> {
     pub fn of_slow(search: Search<'a>, handle: RigidBodyHandle) -> Option<Self> {
         let body = search.context.bodies.get(handle)?;
         let sweep = |collider: &Collider| sweep_of_slow(search.context, body, collider);
-        Some(Self { body, movers: movers(search, body, sweep) }.of_solids())
+        Some(
+            Self { body, part: MotionPart::Whole, movers: movers(search, body, sweep) }.of_solids(),
+        )
+    }
+
+    /// Treatment of colliders that touch something when the step begins. Rotation in place leads no middle
+    /// through a wall, and a body that is deep at a corner must be able to rotate.
+    fn overlap(&self, search: Search<'_>) -> Overlap {
+        match (search.context.params.ccd_on_penetration, self.part) {
+            (false, _) => Overlap::Passes,
+            (true, MotionPart::Rotation) => Overlap::StopsHalfway,
+            (true, _) => Overlap::StopsEarly,
+        }
     }
 
     /// A box around all places of all colliders.
@@ -193,7 +206,8 @@ impl<'a> Path<'a> {
         for mover in &self.movers {
             let region = mover.sweep.region_of_core(Solid::of(mover.collider));
             search.for_each_non_dynamic(filter, &region, |other| {
-                if let Some(fraction) = mover.impact(&other, search, first.fraction) {
+                let overlap = self.overlap(search);
+                if let Some(fraction) = mover.impact(&other, overlap, search, first.fraction) {
                     let by = other.sweep.moves().then_some(other.handle);
                     first = Stop { fraction, by, ..Stop::NONE };
                 }
@@ -223,7 +237,8 @@ impl<'a> Path<'a> {
         let mut first = None;
         for mover in &self.movers {
             for target in &other.movers {
-                first = mover.impact(target, search, first.unwrap_or(until)).or(first);
+                let until = first.unwrap_or(until);
+                first = mover.impact(target, self.overlap(search), search, until).or(first);
             }
         }
         first
@@ -249,20 +264,19 @@ impl<'a> Mover<'a> {
     }
 
     /// The fraction of the step after which another collider stops this one; `None` if not before `until`.
-    fn impact(&self, other: &Mover<'_>, search: Search<'_>, until: Real) -> Option<Real> {
+    fn impact(
+        &self,
+        other: &Mover<'_>,
+        overlap: Overlap,
+        search: Search<'_>,
+        until: Real,
+    ) -> Option<Real> {
         if !self.is_stopped_by(other, search) {
             return None;
         }
         search.searched.fetch_add(1, Ordering::Relaxed);
-        let params = search.context.params;
         let skin = self.collider.contact_skin + other.collider.contact_skin;
-        let goal = SweepGoal {
-            gap: search.gap() + skin,
-            overlap: match params.ccd_on_penetration {
-                true => Overlap::StopsEarly,
-                false => Overlap::Passes,
-            },
-        };
+        let goal = SweepGoal { gap: search.gap() + skin, overlap };
         let (solid, other_shape) = (Solid::of(self.collider), other.collider.shape());
         first_impact(solid, other_shape, [&self.sweep, &other.sweep], goal, until)
     }
@@ -320,7 +334,7 @@ fn movers<'a>(
 
 /// The motion of something on a fast body that was at `start`, as far as `stop`.
 pub(super) fn sweep_of(motion: &FastMotion, start: Pose, stop: Real) -> Sweep<'static> {
-    Sweep::new(start, motion.center, motion.path_shift(), motion.rotvec).until(stop)
+    Sweep::new(start, motion.center, motion.path_shift(), motion.path_rotvec()).until(stop)
 }
 
 /// The motion from the old pose of the collider to its body's new pose.

@@ -176,7 +176,7 @@ impl Ride {
             rotation: motion.start.rotation,
             center: motion.center,
             shift: motion.path_shift(),
-            rotvec: motion.rotvec,
+            rotvec: motion.path_rotvec(),
         };
         let pose = sweep_of(motion, motion.start, fraction).at(fraction);
         let mut ride =

@@ -9,7 +9,7 @@ use crate::dim::state::BodyState;
 use crate::model::body::{RigidBody, RigidBodyType, RigidBodyVelocity};
 use crate::model::check::checked_pose;
 use crate::model::island::BodyMotion;
-use crate::step::notes::FastMotion;
+use crate::step::notes::{FastMotion, MotionPart};
 use crate::step::solver::context::MotionOutput;
 use crate::step::solver::groups::Groups;
 use crate::step::solver::links::Links;
@@ -49,7 +49,7 @@ impl SolverBodies {
                             rotvec,
                             acceleration,
                             link,
-                            is_blocked: false,
+                            part: MotionPart::Whole,
                         });
                         // CCD may stop it.
                         BodyMotion::within(bound)

@@ -8,7 +8,7 @@ use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::check::checked_pose;
 use crate::model::island::BodyMotion;
 use crate::model::multibody::{LinkTrajectory, LinkTravel, MultibodyJointSet};
-use crate::step::notes::{Diverged, FastMotion};
+use crate::step::notes::{Diverged, FastMotion, MotionPart};
 use crate::step::solver::context::{ImpulseOutput, MotionOutput};
 
 impl SolverMultibodies {
@@ -168,7 +168,7 @@ impl Moving {
                 rotvec,
                 acceleration,
                 link: None,
-                is_blocked: false,
+                part: MotionPart::Whole,
             };
             moved = Some((bound, motion));
             link.pose = pose;
