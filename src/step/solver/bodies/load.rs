@@ -10,6 +10,7 @@ use crate::dim::motion::{FreeMotion, is_uneven};
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::{EnergyError, RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
 use crate::model::contact::AnchorFrame;
+use crate::model::frozen::Frozen;
 use crate::model::island::{NONE, StepPace};
 use crate::model::params::IntegrationParameters;
 use crate::step::solver::context::SolverSettings;
@@ -24,7 +25,7 @@ impl SolverBodies {
         &mut self,
         groups: &Groups,
         links: &Links,
-        bodies: &mut RigidBodySet,
+        bodies: &mut Frozen<'_, RigidBodySet>,
         settings: &SolverSettings<'_>,
     ) {
         let &SolverSettings { gravity, params, pace, tasks, .. } = settings;
@@ -84,7 +85,7 @@ impl SolverBodies {
         &mut self,
         order: &[RigidBodyHandle],
         members: Range<usize>,
-        bodies: &mut RigidBodySet,
+        bodies: &mut Frozen<'_, RigidBodySet>,
         context: &LoadContext<'_>,
         h: Real,
         tasks: Tasks<'_>,

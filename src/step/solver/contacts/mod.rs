@@ -19,6 +19,7 @@ use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactLanes, ContactReport, LaneBlock, NarrowPhase};
+use crate::model::frozen::Frozen;
 use crate::model::params::ContactPass;
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
@@ -66,12 +67,12 @@ impl SolverContacts {
     }
 
     /// Discards the results of the step.
-    pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase) {
+    pub fn give_back(&mut self, narrow_phase: &mut Frozen<'_, NarrowPhase>) {
         if self.lanes_are_scaled {
             self.lanes.invalidate();
         }
         if self.are_on_loan {
-            narrow_phase.lanes = core::mem::take(&mut self.lanes);
+            *narrow_phase.lanes_mut().0 = core::mem::take(&mut self.lanes);
         }
     }
 
@@ -220,7 +221,7 @@ impl SolverContacts {
         }
         if self.are_on_loan {
             self.lanes.go_ahead(&self.starts, narrow_phase.contacts.id_bound());
-            narrow_phase.lanes = core::mem::take(&mut self.lanes);
+            *narrow_phase.lanes_mut().0 = core::mem::take(&mut self.lanes);
         }
     }
 
@@ -230,8 +231,13 @@ impl SolverContacts {
         self.starts.first().is_none_or(|&first| color.start < first as usize)
     }
 
-    fn write_back(&self, color: Range<usize>, narrow_phase: &mut NarrowPhase, tasks: Tasks<'_>) {
-        let pairs = DisjointMut::new(narrow_phase.contacts.split().pairs);
+    fn write_back(
+        &self,
+        color: Range<usize>,
+        narrow_phase: &mut Frozen<'_, NarrowPhase>,
+        tasks: Tasks<'_>,
+    ) {
+        let pairs = narrow_phase.share_pairs();
         tasks.par_for(color.len(), BLOCKS_PER_TASK, |range| {
             for index in color.start + range.start..color.start + range.end {
                 let soon = self.layout.block_or_none(index + 1);

@@ -16,6 +16,7 @@ use crate::dim::state::READ_ONLY;
 use crate::dim::wide::set_ang_lane;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::constraint_graph::OVERFLOW;
+use crate::model::frozen::Frozen;
 use crate::model::island::IslandManager;
 use crate::model::joint::{
     GenericJoint, ImpulseJoint, ImpulseJointSet, JointLimits, MotorModel, mask_of, nearest_turn,
@@ -51,7 +52,7 @@ impl SolverJoints {
     /// Makes constraints of the joints that have a colour. Joints of links are left to their multibodies.
     pub fn load(
         &mut self,
-        joints: &mut ImpulseJointSet,
+        joints: &mut Frozen<'_, ImpulseJointSet>,
         context: JointLoadContext<'_>,
         pass: &JointPass,
         tasks: Tasks<'_>,
@@ -127,7 +128,7 @@ impl SolverJoints {
     /// Makes the blocks of all joints that are not point-to-point joints, and their rows.
     fn fill_blocks(
         &mut self,
-        joints: &mut ImpulseJointSet,
+        joints: &mut Frozen<'_, ImpulseJointSet>,
         context: JointLoadContext<'_>,
         pass: &JointPass,
         tasks: Tasks<'_>,

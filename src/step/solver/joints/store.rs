@@ -6,6 +6,7 @@ use crate::dim::joint::set_couple;
 use crate::dim::math::{DIM, Real};
 use crate::dim::wide::ang_lane;
 use crate::model::event::JointBreakEvent;
+use crate::model::frozen::Frozen;
 use crate::model::island::IslandManager;
 use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
 use crate::step::solver::bodies::SolverBodies;
@@ -54,7 +55,7 @@ impl SolverJoints {
     fn break_overloaded(
         &self,
         islands: &IslandManager,
-        joints: &mut ImpulseJointSet,
+        joints: &mut Frozen<'_, ImpulseJointSet>,
         broken: &mut Vec<JointBreakEvent>,
     ) {
         let of_blocks = self.layout.iter().map(|lane_slot| lane_slot.slot);

@@ -12,6 +12,7 @@ use crate::dim::contact::PointTangentMass;
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, NarrowPhase};
+use crate::model::frozen::Frozen;
 use crate::model::params::ContactPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::context::SolverInput;
@@ -296,9 +297,9 @@ impl LinkContacts {
     }
 
     /// Writes impulses, and where the contacts were, back to the manifolds.
-    pub fn store(&self, narrow_phase: &mut NarrowPhase) {
+    pub fn store(&self, narrow_phase: &mut Frozen<'_, NarrowPhase>) {
         for contact in &self.contacts {
-            let pair = &mut narrow_phase.contacts[contact.at.pair];
+            let pair = narrow_phase.pair_mut(contact.at.pair);
             let data = &mut pair.manifolds[contact.at.manifold as usize].data;
             if !contact.is_sound() {
                 data.clear_impulses();

@@ -4,6 +4,7 @@ use super::{LinkPlace, Moving, SolverMultibodies};
 use crate::dim::math::{Real, Vector};
 use crate::dim::spatial::join;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::frozen::Frozen;
 use crate::model::island::NONE;
 use crate::model::joint::{GenericJoint, MotorModel};
 use crate::model::multibody::{LinkTravel, Multibody, MultibodyJointSet};
@@ -16,7 +17,7 @@ impl SolverMultibodies {
         &mut self,
         members: &[RigidBodyHandle],
         links: &Links,
-        set: &mut MultibodyJointSet,
+        set: &mut Frozen<'_, MultibodyJointSet>,
         bodies: &RigidBodySet,
     ) {
         for slot in self.listed.drain(..) {
@@ -59,7 +60,7 @@ impl SolverMultibodies {
     /// Notes the loads of the multibodies, and their start. Ordinary bodies must have been loaded.
     ///
     /// Substeps take `h` seconds.
-    pub fn begin(&mut self, bodies: &mut RigidBodySet, gravity: Vector, h: Real) {
+    pub fn begin(&mut self, bodies: &mut Frozen<'_, RigidBodySet>, gravity: Vector, h: Real) {
         for moving in &mut self.moving {
             moving.fit_impulses(bodies, h);
             moving.read_forces(bodies, gravity);
@@ -93,7 +94,7 @@ pub(super) fn scale_impulses(joint: &mut GenericJoint, fraction: Real) {
 impl Moving {
     /// Scales the last impulses for substeps of `h` seconds
     /// ([`ImpulseFractions`](crate::step::solver::bodies::ImpulseFractions)).
-    fn fit_impulses(&mut self, bodies: &mut RigidBodySet, h: Real) {
+    fn fit_impulses(&mut self, bodies: &mut Frozen<'_, RigidBodySet>, h: Real) {
         self.fraction = 1.0;
         for link in &self.multibody.links {
             let body = bodies.get_unnoted_mut(link.body).filter(|body| body.is_dynamic());

@@ -26,6 +26,7 @@ use crate::base::tasks::Tasks;
 use crate::base::wide::{LANES, Lane, Simd};
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
+use crate::model::frozen::Frozen;
 use crate::model::island::IslandManager;
 use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
 use crate::model::params::JointPass;
@@ -144,7 +145,7 @@ impl PointToPointJoints {
     pub fn store(
         &self,
         islands: &IslandManager,
-        joints: &mut ImpulseJointSet,
+        joints: &mut Frozen<'_, ImpulseJointSet>,
         inv_dt: Real,
         overload: &AtomicBool,
         tasks: Tasks<'_>,
