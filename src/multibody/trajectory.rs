@@ -86,6 +86,7 @@ impl LinkTrajectory {
         dt: Real,
         acceleration: impl Fn(usize) -> Vector,
     ) {
+        debug_assert!((0.0..=1.0).contains(&fraction) && pieces > 0);
         let centers = |bodies: &RigidBodySet, multibody: &Multibody| -> Vec<Vector> {
             let center = |body| bodies.get(body).map_or(Vector::ZERO, |body| body.center_of_mass());
             multibody.links.iter().map(|link| center(link.body)).collect()

@@ -306,6 +306,7 @@ impl Step<'_> {
             .island_construction_time
             .measure(|| islands::put_to_sleep(structure, &notes.sleepy, scratch));
         self.trace(StepStage::Sleep);
+        debug_assert!(self.world.structure.narrow_phase.has_all_results(), "no result is lost");
         self.validate();
     }
 
@@ -343,10 +344,10 @@ impl Step<'_> {
         self.scratch.trace.add(stage, &self.world.hashed_sets());
     }
 
-    /// In debug builds, asserts that bodies, pairs, islands and colours agree.
+    /// In debug builds, asserts that bodies, pairs, islands, colours and multibodies agree.
     fn validate(&self) {
         if cfg!(debug_assertions) {
-            self.world.structure.validate();
+            self.world.structure.validate(self.world.multibodies);
         }
     }
 }

@@ -114,6 +114,7 @@ impl<'a> SolverSettings<'a> {
     pub(super) fn pass(&self, substeps: usize) -> SolverPass<'a> {
         let Self { gravity, params, pace, simd, tasks } = *self;
         let substep = params.dt / substeps as Real;
+        debug_assert!(substep > 0.0 && substep <= params.dt);
         SolverPass {
             params,
             substep,

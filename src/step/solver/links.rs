@@ -46,6 +46,7 @@ impl Links {
             if slot as usize >= self.owners.len() {
                 self.owners.resize(slot as usize + 1, NONE);
             }
+            debug_assert_eq!(self.owners[slot as usize], NONE, "a body is one link");
             self.owners[slot as usize] = owner;
             self.listed.push(slot);
         }

@@ -39,10 +39,15 @@ impl SolverBodies {
             let members = group.members.clone();
             self.any_far |= self.load_members(order, members, bodies, &context, h, tasks);
         }
+        debug_assert!(
+            self.impulse_fractions.iter().all(ImpulseFractions::are_fractions),
+            "a step begins with at most the impulses of the last one"
+        );
         self.any_scaled = self.impulse_fractions.iter().any(|it| it.of_contacts < 1.0);
         let uneven = self.uneven.iter().zip(&self.poses).enumerate().filter(|(_, (is, _))| **is);
         self.uneven_starts.clear();
         self.uneven_starts.extend(uneven.map(|(k, (_, pose))| (k as u32, pose.inv_inertia())));
+        debug_assert!(self.indices.iter().all(|&index| self.has_state(index & !NEAR_REST)));
     }
 
     /// Allocates states for some bodies, which fill all of them, and for the world.

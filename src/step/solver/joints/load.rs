@@ -66,6 +66,10 @@ impl SolverJoints {
         transmissions.note_alone(direct, rows);
         self.note_exact_joints(context.bodies.states.len());
         self.point_to_point.load(joints, context, pass, tasks);
+        debug_assert_eq!(self.len(), self.members.len(), "each joint has one place");
+        debug_assert!(self.blocks.iter().all(|block| block.axis_rows().end <= self.rows.len()));
+        let mut ends = self.blocks.iter().flat_map(|block| block.bodies).flatten();
+        debug_assert!(ends.all(|body| context.bodies.has_state(body)));
     }
 
     /// Finds the active joints.

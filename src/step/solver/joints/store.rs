@@ -84,7 +84,9 @@ fn store_lane(
     set_couple(&mut joint.impulses, ang_lane(&block.couple, lane));
     for (axis, row) in joint.data.driven_axes().zip(rows) {
         let k = axis as usize;
-        joint.data.limits[k].impulse = row.lower.0[lane] - row.upper.0[lane];
+        let limits = [row.lower.0[lane], row.upper.0[lane]];
+        debug_assert!(!limits.iter().any(|&impulse| impulse < 0.0), "limits push: {limits:?}");
+        joint.data.limits[k].impulse = limits[0] - limits[1];
         joint.data.motors[k].impulse = row.motor.impulse.0[lane];
         let (angles, angle) = (joint.angles.as_mut(), row.position.0[lane]);
         if let (Some(angles), Some(k), true) = (angles, k.checked_sub(DIM), angle.is_finite()) {

@@ -293,6 +293,7 @@ impl LinkContacts {
 
     /// Counts the impulses of the substep into those of the step.
     pub fn count(&mut self) {
+        debug_assert!(!self.points().any(|point| point.impulse < 0.0), "contacts push");
         self.points().for_each(|point| point.total += point.impulse);
     }
 

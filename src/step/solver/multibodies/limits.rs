@@ -239,6 +239,7 @@ impl JointRows {
     pub fn take_from<'a>(&mut self, solved: &mut impl Iterator<Item = &'a SystemRow>) {
         for (limit, solved) in self.limits.iter_mut().zip(&mut *solved) {
             let [_, lower, upper] = solved.parts();
+            debug_assert!(![lower, upper].iter().any(|&impulse| impulse < 0.0), "limits push");
             limit.impulses = [lower, upper];
         }
         for (force_row, solved) in self.force_rows.iter_mut().zip(&mut *solved) {

@@ -35,6 +35,7 @@ impl SolverMultibodies {
             let Some(index) = set.index_at(owner) else { continue };
             let Some(multibody) = set.get_unnoted_mut(index) else { continue };
             self.list_links(multibody, bodies);
+            debug_assert!(multibody.is_whole() && !multibody.links.is_empty());
             let mut moving = self.spare.pop().unwrap_or_default();
             (moving.index, moving.multibody) = (index, core::mem::take(multibody));
             moving.island = bodies.get(*member).map_or(NONE, |body| body.link.island);
@@ -69,6 +70,7 @@ impl SolverMultibodies {
             moving.add_motors();
             moving.motion.resist(h);
             let ndofs = moving.motion.rates.len();
+            debug_assert_eq!(ndofs, moving.multibody.ndofs());
             for list in [&mut moving.pushed, &mut moving.shift] {
                 list.clear();
                 list.resize(ndofs, 0.0);
@@ -104,6 +106,7 @@ impl Moving {
             }
             body.substep = h;
         }
+        debug_assert!((0.0..=1.0).contains(&self.fraction));
         if self.fraction < 1.0 {
             let Multibody { links, lists, couplings, .. } = &mut self.multibody;
             for link in links {

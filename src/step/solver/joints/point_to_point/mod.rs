@@ -94,6 +94,8 @@ impl PointToPointJoints {
             }
             block
         });
+        let mut ends = self.blocks.iter().flat_map(|block| block.bodies).flatten();
+        debug_assert!(ends.all(|body| bodies.has_state(body)));
     }
 
     /// Gives the bodies the impulses with which the step starts.
