@@ -10,7 +10,7 @@ use super::normals::NORMAL_DISTANCE_SQUARED_MAX;
 use super::pair::ShapePair;
 use super::part::Part;
 use crate::dim::collide::{FlatShape, RawManifold, RawPoint, reduce};
-use crate::dim::math::{DIM, Pose, Real, Vector};
+use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
 use core::ops::Range;
 use parry::shape::PackedFeatureId;
@@ -337,6 +337,8 @@ pub(super) fn push_manifold(
     pos12: &Pose,
     out: &mut SmallVec<[ContactManifold; 1]>,
 ) {
+    debug_assert!((local_n1.length_squared() - 1.0).abs() < NORMAL_TOLERANCE, "a unit normal");
+    debug_assert!(points.len() <= MAX_MANIFOLD_POINTS, "the caller reduces the points");
     // Filled in place: a manifold is some hundred bytes.
     out.push(ContactManifold::default());
     let Some(manifold) = out.last_mut() else { return };

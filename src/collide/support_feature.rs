@@ -30,6 +30,7 @@ impl SupportFeature {
     /// The support feature of a shape. `down` is the unit vector from it to the plane. `None` if the feature
     /// is unknown, or if another point is lower than the vertices by more than `tolerance` (length units).
     pub fn of(shape: &dyn Shape, down: Vector, tolerance: Real) -> Option<Self> {
+        debug_assert!((down.length_squared() - 1.0).abs() < 1.0e-2, "a unit vector");
         let mut vertices = ArrayVec::new();
         let mut add = |point, feature| {
             // No supported face has more vertices than the capacity.

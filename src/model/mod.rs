@@ -12,6 +12,7 @@ pub mod contact;
 pub mod counters;
 pub(crate) mod edit_mark;
 pub mod event;
+pub(crate) mod frozen;
 pub mod hooks;
 pub mod island;
 pub mod joint;

@@ -71,6 +71,7 @@ impl Factor {
     /// Adds up the articulated inertias.
     pub fn update(&mut self, kinematics: &Kinematics, resistance: Resistance<'_>) {
         let Self { pivots, inertias, sizes, .. } = self;
+        debug_assert!(resistance.armature.len() >= kinematics.axes.len());
         inertias.clear();
         sizes.clear();
         pivots.clear();
@@ -101,6 +102,7 @@ impl Factor {
             sizes[parent][0] += mass;
             sizes[parent][1] += moment + mass * link.offset.length_squared();
         }
+        debug_assert!(pivots.iter().all(|pivot| pivot.inv_inertia >= 0.0), "inertias are positive");
         self.invert_root(&kinematics.root_axes, resistance.armature);
     }
 
@@ -166,6 +168,8 @@ impl Factor {
         wrenches: &[SpatialVector],
         forces: &mut [Real],
     ) {
+        debug_assert!(wrenches.len() <= kinematics.links.len());
+        debug_assert_eq!(forces.len(), kinematics.axes.len(), "one force per degree of freedom");
         self.wrenches.clear();
         self.wrenches.extend_from_slice(wrenches);
         self.wrenches.resize(kinematics.links.len(), ZERO);

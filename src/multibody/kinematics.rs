@@ -71,6 +71,7 @@ impl Kinematics {
                 Some(parent) => self.push_child(link, parent, &multibody.links[parent]),
             }
         }
+        debug_assert_eq!(self.axes.len(), multibody.ndofs());
     }
 
     fn push_root(&mut self, link: &MultibodyLink) {

@@ -13,6 +13,7 @@ use super::{JointLoad, Motion, usable};
 use crate::dim::math::{AngVector, Real, Rotation, Vector};
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::RigidBodySet;
+use crate::model::frozen::Frozen;
 use crate::model::multibody::{LinkTrajectory, LinkTravel, Multibody};
 
 /// The largest number of pieces of a trajectory.
@@ -79,12 +80,13 @@ impl LinkTrajectory {
     pub fn go_back(
         &self,
         multibody: &mut Multibody,
-        bodies: &mut RigidBodySet,
+        bodies: &mut Frozen<'_, RigidBodySet>,
         fraction: Real,
         pieces: usize,
         dt: Real,
         acceleration: impl Fn(usize) -> Vector,
     ) {
+        debug_assert!((0.0..=1.0).contains(&fraction) && pieces > 0);
         let centers = |bodies: &RigidBodySet, multibody: &Multibody| -> Vec<Vector> {
             let center = |body| bodies.get(body).map_or(Vector::ZERO, |body| body.center_of_mass());
             multibody.links.iter().map(|link| center(link.body)).collect()
@@ -188,7 +190,7 @@ fn kinetic_energy(multibody: &Multibody, bodies: &RigidBodySet) -> Real {
 }
 
 /// Gives the bodies the poses and velocities of their links.
-fn store(multibody: &mut Multibody, motion: &mut Motion, bodies: &mut RigidBodySet) {
+fn store(multibody: &mut Multibody, motion: &mut Motion, bodies: &mut Frozen<'_, RigidBodySet>) {
     multibody.lists.store_velocities(&motion.rates);
     let velocities = motion.link_velocities().to_vec();
     for (id, velocity) in velocities.iter().enumerate() {

@@ -15,6 +15,7 @@ use crate::base::held::HeldPanic;
 use crate::base::tasks::Tasks;
 use crate::model::contact::NarrowPhase;
 use crate::model::counters::Counters;
+use crate::model::frozen::Frozen;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{MultibodyEdits, MultibodyJointSet};
 use crate::model::stamp::WorldStamp;
@@ -200,11 +201,11 @@ impl Step<'_> {
             SolverSettings { gravity: *gravity, params, pace, simd: *simd, tasks: self.tasks };
         let context = SolverContext {
             settings,
-            bodies: structure.bodies,
-            narrow_phase: structure.narrow_phase,
-            joints,
-            multibodies,
-            islands: structure.islands,
+            bodies: Frozen::new(structure.bodies),
+            narrow_phase: Frozen::new(structure.narrow_phase),
+            joints: Frozen::new(joints),
+            multibodies: Frozen::new(multibodies),
+            islands: Frozen::new(structure.islands),
             fast: &mut notes.fast,
             trajectories: &mut notes.trajectories,
             broken: &mut notes.broken,
@@ -266,7 +267,14 @@ impl Step<'_> {
                 })
             });
             let dt = params.dt;
-            let context = StopContext { bodies, islands, multibodies, fast, trajectories, dt };
+            let context = StopContext {
+                bodies: Frozen::new(bodies),
+                islands: Frozen::new(islands),
+                multibodies: Frozen::new(multibodies),
+                fast,
+                trajectories,
+                dt,
+            };
             ccd::stop(context, scratch, events, counters);
         });
     }
@@ -275,8 +283,14 @@ impl Step<'_> {
     pub(super) fn finalize_bodies(&mut self) {
         let World { structure, broad_phase: tree, params, .. } = &mut self.world;
         let Structure { bodies, colliders, islands, .. } = structure;
-        let context =
-            FinalizeContext { tasks: self.tasks, params, bodies, colliders, islands, tree };
+        let context = FinalizeContext {
+            tasks: self.tasks,
+            params,
+            bodies: Frozen::new(bodies),
+            colliders: Frozen::new(colliders),
+            islands,
+            tree,
+        };
         let StepScratch { notes, finalize: scratch, .. } = self.scratch;
         let timer = &mut self.counters.stages.update_time;
         timer.measure(|| finalize_bodies::finalize_bodies(context, scratch, &mut notes.sleepy));
@@ -292,6 +306,7 @@ impl Step<'_> {
             .island_construction_time
             .measure(|| islands::put_to_sleep(structure, &notes.sleepy, scratch));
         self.trace(StepStage::Sleep);
+        debug_assert!(self.world.structure.narrow_phase.has_all_results(), "no result is lost");
         self.validate();
     }
 
@@ -329,10 +344,10 @@ impl Step<'_> {
         self.scratch.trace.add(stage, &self.world.hashed_sets());
     }
 
-    /// In debug builds, asserts that bodies, pairs, islands and colours agree.
+    /// In debug builds, asserts that bodies, pairs, islands, colours and multibodies agree.
     fn validate(&self) {
         if cfg!(debug_assertions) {
-            self.world.structure.validate();
+            self.world.structure.validate(self.world.multibodies);
         }
     }
 }

@@ -17,6 +17,7 @@ const ALLOWED: &[(&str, &str)] = &[
     ("src/model/body/set.rs", "threads visit bodies concurrently"),
     ("src/model/contact/narrow_phase.rs", "the first read of a pair writes its results back"),
     ("src/model/contact/store/mod.rs", "a pair is written behind a shared reference"),
+    ("src/model/frozen.rs", "hands a set's concurrent visits on"),
     ("src/model/joint/views.rs", "a wrapper of a joint is that joint"),
     ("src/model/joint/kind.rs", "declares each wrapper as one"),
     ("src/step/solver/", "constraints of a colour run concurrently"),

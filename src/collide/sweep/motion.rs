@@ -91,6 +91,8 @@ impl<'a> Sweep<'a> {
     /// The motion of a shape at `place` in a frame that moves by these segments, of which there is at least
     /// one. `local_center` is the centre of rotation in that frame.
     pub fn along(segments: &'a [PathSegment], place: &Pose, local_center: Vector) -> Self {
+        debug_assert!(!segments.is_empty(), "a motion has a first segment");
+        debug_assert!(segments.is_sorted_by(|one, two| one.until <= two.until));
         let local_center = place.inverse_transform_point(local_center);
         Self {
             trajectory: Trajectory::Bent(segments),
@@ -102,6 +104,7 @@ impl<'a> Sweep<'a> {
 
     /// The same motion, as far as `stop`.
     pub fn until(self, stop: Real) -> Self {
+        debug_assert!((0.0..=1.0).contains(&stop));
         Self { stop, ..self }
     }
 

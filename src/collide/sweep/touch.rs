@@ -62,6 +62,10 @@ pub(crate) fn find_touches(
     let mut until = 1.0;
     let mut visit = |pair: [MovingPart<'_, '_>; 2]| {
         if let Some(fraction) = touch_of_parts(pair, tolerance, at_once, until) {
+            debug_assert!(
+                (0.0..=until).contains(&fraction),
+                "each touch is earlier than the last one"
+            );
             until = fraction;
             let sides = pair.map(|moving| TouchedPart::new(moving.part));
             found(Touch { fraction, sides });

@@ -20,7 +20,7 @@ use super::report::ContactReport;
 use super::store::PairId;
 use crate::base::wide::{LANES, prefetch};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Vector};
-use crate::model::constraint_graph::{COLORS, ColorSlot, ManifoldRef};
+use crate::model::constraint_graph::{COLORS, ColorSlot, ManifoldRef, OVERFLOW};
 use crate::model::island::NONE;
 use core::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -296,6 +296,34 @@ impl ContactLanes {
             prefetch(&self.reports[block][lane]);
             prefetch(&self.blocks[block].members);
         }
+    }
+
+    /// Returns whether the results of a pair are written back, or each manifold with a colour has a lane.
+    /// True from the solver to the next edit of the colours.
+    pub fn has_results_of(&self, id: PairId, pair: &ContactPair) -> bool {
+        let is_apart = |slot: ColorSlot| slot.color == OVERFLOW;
+        self.is_written(id)
+            || (0..).zip(&pair.manifolds).all(|(index, manifold)| {
+                let at = ManifoldRef { pair: id, manifold: index };
+                manifold.slot.is_none_or(is_apart) || self.find(at, manifold).is_some()
+            })
+    }
+
+    /// Returns whether the manifold of each lane with a pending write-back has its place at this lane.
+    /// `manifold_of` finds a manifold.
+    pub fn are_indexed<'a>(
+        &self,
+        manifold_of: impl Fn(ManifoldRef) -> Option<&'a ContactManifold>,
+    ) -> bool {
+        // The blocks before the first colour are those of the overflow.
+        let first = self.starts.first().map_or(self.blocks.len(), |&first| first as usize);
+        self.blocks.iter().enumerate().skip(first).all(|(block, lanes)| {
+            let mut members = lanes.members.iter().enumerate();
+            members.all(|(lane, &at)| {
+                let place = || self.place_of(manifold_of(at)?);
+                at == NO_MANIFOLD || place() == Some((block, lane))
+            })
+        })
     }
 
     #[inline]

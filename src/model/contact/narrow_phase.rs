@@ -114,6 +114,16 @@ impl NarrowPhase {
         self.lanes.write_back(id, &mut self.contacts[id]);
     }
 
+    /// See [`ContactLanes::has_results_of`], for all pairs.
+    pub(crate) fn has_all_results(&self) -> bool {
+        self.contacts.ids().all(|id| self.lanes.has_results_of(id, &self.contacts[id]))
+    }
+
+    /// See [`ContactLanes::are_indexed`].
+    pub(crate) fn has_indexed_lanes(&self) -> bool {
+        self.lanes.are_indexed(|at| self.contacts[at.pair].manifolds.get(at.manifold as usize))
+    }
+
     /// Writes the results of the last step back to all contact pairs.
     pub(crate) fn write_back_all(&mut self, tasks: Tasks<'_>) {
         if self.lanes.has_pending_write_backs() {

@@ -36,6 +36,7 @@ pub use motor::{JointMotor, MotorModel};
 pub use prismatic::{PrismaticJoint, PrismaticJointBuilder};
 pub use revolute::{RevoluteJoint, RevoluteJointBuilder};
 pub use rope::{RopeJoint, RopeJointBuilder};
+pub(crate) use set::Entry as JointEntry;
 pub use set::ImpulseJointSet;
 pub use spring::{JointSoftness, STIFFEST, SpringCoefficients, spring_of};
 pub use spring_joint::{SpringJoint, SpringJointBuilder};

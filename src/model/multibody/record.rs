@@ -347,6 +347,19 @@ impl Multibody {
         links && first_dof == self.dofs.len()
     }
 
+    /// Checks that the degrees of freedom are the free axes of the links, with one number of each kind.
+    pub(crate) fn check_layout(&self) -> Result<(), Fault> {
+        ensure!(self.is_whole(), "the links of a multibody are not in order");
+        let free_axes = self.links.iter().flat_map(|link| {
+            let axes = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
+            axes.map(|axis| Dof { link: link.id, axis })
+        });
+        ensure!(free_axes.eq(self.dofs.iter().copied()), "{:?} are not the free axes", self.dofs);
+        let lengths = self.lists.lengths();
+        ensure!(lengths == [self.ndofs(); _], "{} degrees of freedom: {lengths:?}", self.ndofs());
+        Ok(())
+    }
+
     /// Returns whether the multibody acts with these bodies.
     pub(crate) fn acts(&self, body: impl Fn(RigidBodyHandle) -> Option<bool>) -> bool {
         self.links.iter().all(|link| {
@@ -397,23 +410,14 @@ check_when_loaded!(Multibody);
 /// numbers are usable.
 impl Loaded for Multibody {
     fn check_loaded(&self) -> Result<(), Fault> {
-        ensure!(self.is_whole(), "the links of a multibody are not in order");
-        let mut dofs = self.dofs.iter();
+        self.check_layout()?;
         for link in &self.links {
             let unknown = link.free.bits() & !JointAxesMask::all().bits();
             ensure!(unknown == 0, "link {} is free along {:?}", link.id, link.free);
             ensure!(link.is_sound(), "link {} has invalid numbers: {link:?}", link.id);
-            let free = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
-            for axis in free {
-                let (expected, dof) = (Dof { link: link.id, axis }, dofs.next());
-                ensure!(dof == Some(&expected), "{dof:?} is in the place of {expected:?}");
-            }
         }
         let mut lists = self.lists.clone();
-        let lists = lists.all();
-        let lengths = lists.each_ref().map(|list| list.len());
-        ensure!(lengths == [self.ndofs(); _], "{} degrees of freedom: {lengths:?}", self.ndofs());
-        let wrong = lists.into_iter().flatten().find(|number| !number.is_finite());
+        let wrong = lists.all().into_iter().flatten().find(|number| !number.is_finite());
         ensure!(wrong.is_none(), "a number of a degree of freedom is {wrong:?}");
         let unsound = self.couplings.iter().find(|coupling| !coupling.is_sound(self.links.len()));
         ensure!(unsound.is_none(), "{unsound:?} of {} links", self.links.len());
@@ -441,6 +445,21 @@ impl DofLists {
             frictions,
             friction_impulses,
         ]
+    }
+
+    fn lengths(&self) -> [usize; 7] {
+        let Self { velocities, body_velocities, accelerations, .. } = self;
+        let Self { damping, armature, frictions, friction_impulses, .. } = self;
+        [
+            velocities,
+            body_velocities,
+            accelerations,
+            damping,
+            armature,
+            frictions,
+            friction_impulses,
+        ]
+        .map(Vec::len)
     }
 
     /// Stores the velocities that the bodies get.

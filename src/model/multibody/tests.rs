@@ -27,31 +27,8 @@ fn tree(parents: &[Option<u32>]) -> (MultibodyJointSet, Vec<Option<MultibodyJoin
     (set, handles)
 }
 
-/// Parents precede their children, degrees of freedom have the order of the links, and every link is found.
 fn validate(set: &MultibodyJointSet) {
-    for multibody in set.multibodies() {
-        assert!(multibody.num_links() > 1);
-        let mut dofs = 0;
-        for (id, link) in multibody.links().enumerate() {
-            assert_eq!(link.link_id(), id);
-            assert_eq!(link.assembly_id(), dofs);
-            assert!(link.parent_id().is_none_or(|parent| parent < id));
-            assert_eq!(
-                (link.parent_id().is_none(), link.joint_handle().is_none()),
-                (id == 0, id == 0)
-            );
-            dofs += link.ndofs();
-            let place = set.rigid_body_link(link.rigid_body_handle()).expect("it is a link");
-            assert_eq!(place.id, id);
-            let found = set.get_multibody(place.multibody).expect("it is there");
-            assert!(core::ptr::eq(found, multibody));
-            if let Some(handle) = link.joint_handle() {
-                assert_eq!(set.get(handle).expect("it is there").1, id);
-            }
-        }
-        assert_eq!(multibody.ndofs(), dofs);
-        assert_eq!(multibody.generalized_velocity().len(), dofs);
-    }
+    set.check_trees().expect("every tree is whole");
 }
 
 #[test]

@@ -67,6 +67,7 @@ impl Motion {
 
     /// The time (s) from the beginning of a substep of `h` seconds to the middle of its first piece.
     pub fn middle(&self, h: Real) -> Real {
+        debug_assert!((1..=PIECES_MAX).contains(&self.pieces));
         0.5 * h / self.pieces as Real
     }
 

@@ -144,6 +144,8 @@ impl Motion {
         let DofLists { velocities, body_velocities, .. } = &multibody.lists;
         let rates = if is_pushed { body_velocities } else { velocities };
         self.rates.assign(rates.iter().map(|&rate| finite(rate)));
+        debug_assert_eq!(self.rates.len(), self.kinematics.axes.len());
+        debug_assert_eq!(self.joint_loads.len(), self.rates.len(), "`joint_loads` are set before");
         self.armature.clear();
         self.armature.extend(self.joint_loads.iter().map(|load| load.armature));
         self.factor.update(&self.kinematics, Resistance { armature: &self.armature, drag: &[] });

@@ -50,6 +50,7 @@ use crate::model::collider::ColliderSet;
 use crate::model::contact::NarrowPhase;
 use crate::model::counters::CCDCounters;
 use crate::model::event::CollisionEvent;
+use crate::model::frozen::Frozen;
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::{BodyMotion, IslandManager};
 use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
@@ -301,9 +302,9 @@ pub(crate) fn set_deeply_penetrating(
 
 /// Context of the stops.
 pub(crate) struct StopContext<'a> {
-    pub bodies: &'a mut RigidBodySet,
-    pub islands: &'a mut IslandManager,
-    pub multibodies: &'a mut MultibodyJointSet,
+    pub bodies: Frozen<'a, RigidBodySet>,
+    pub islands: Frozen<'a, IslandManager>,
+    pub multibodies: Frozen<'a, MultibodyJointSet>,
     pub fast: &'a [FastMotion],
     pub trajectories: &'a [LinkTrajectory],
     pub dt: Real,

@@ -14,6 +14,7 @@ use crate::base::wide::PREFETCH_DISTANCE;
 use crate::dim::math::Real;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
+use crate::model::frozen::Frozen;
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::{BroadPhaseBvh, MovedProxy, update_moved_proxy};
@@ -34,8 +35,8 @@ type MovedCollider = (ColliderHandle, MovedProxy);
 pub(crate) struct FinalizeContext<'a> {
     pub tasks: Tasks<'a>,
     pub params: &'a IntegrationParameters,
-    pub bodies: &'a mut RigidBodySet,
-    pub colliders: &'a mut ColliderSet,
+    pub bodies: Frozen<'a, RigidBodySet>,
+    pub colliders: Frozen<'a, ColliderSet>,
     pub islands: &'a IslandManager,
     pub tree: &'a mut BroadPhaseBvh,
 }
@@ -46,7 +47,7 @@ pub(crate) fn finalize_bodies(
     FinalizeScratch { moved, gather }: &mut FinalizeScratch,
     sleepy: &mut Vec<bool>,
 ) {
-    let FinalizeContext { tasks, params, bodies, colliders, islands, tree } = context;
+    let FinalizeContext { tasks, params, mut bodies, mut colliders, islands, tree } = context;
     let awake = &*islands.awake;
     moved.clear();
     sleepy.clear();
@@ -70,7 +71,7 @@ pub(crate) fn finalize_bodies(
         if let Some((later, MovedProxy::LeftBox(kind, _))) = moved.get(index + PREFETCH_DISTANCE) {
             tree.prefetch(*later, *kind);
         }
-        follow(*handle, moved_proxy, bodies, colliders, tree, params);
+        follow(*handle, moved_proxy, &bodies, &mut colliders, tree, params);
     }
 }
 
@@ -104,7 +105,7 @@ fn follow(
     handle: ColliderHandle,
     moved_proxy: &MovedProxy,
     bodies: &RigidBodySet,
-    colliders: &mut ColliderSet,
+    colliders: &mut Frozen<'_, ColliderSet>,
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
 ) {

@@ -36,6 +36,12 @@ pub(super) const OPPOSED_RATE_MAX: Real = 1.0e3;
 /// other. Rates that differ by less than this fraction are equal there.
 const RATE_TOLERANCE: f64 = 16.0 * Real::EPSILON as f64;
 
+/// Returns whether any of these numbers is negative. NaN is not: a diverging world may contain NaN until the
+/// divergence check.
+fn is_negative(numbers: &[f64]) -> bool {
+    numbers.iter().any(|&number| number < 0.0)
+}
+
 /// A linear piece of the law.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(super) enum Piece {
@@ -138,6 +144,7 @@ impl AxisLaw {
 
     /// The law of an equation that holds at any impulse: this rate, with a compliance.
     pub fn equation_of(rate: f64, compliance: f64) -> Self {
+        debug_assert!(!is_negative(&[compliance]));
         let damping = 1.0 / compliance;
         match damping.is_finite() {
             true => Self { damping, pull: -rate * damping, bound: f64::INFINITY, ..Self::FREE },
@@ -176,6 +183,7 @@ impl AxisLaw {
     /// The parts of an impulse on a piece that the motor, the lower and the upper limit give. An impulse of 1
     /// changes the rate by `response`.
     pub fn parts(&self, piece: Piece, impulse: f64, response: f64) -> [f64; 3] {
+        debug_assert!(!is_negative(&[response, self.damping, self.bound]));
         let room = f64::from(OPPOSED_RATE_MAX) / response.max(f64::MIN_POSITIVE);
         let motor = match piece {
             // What the tolerance of the rate leaves is no impulse of the other limit.

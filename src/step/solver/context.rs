@@ -10,6 +10,7 @@ use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodySet;
 use crate::model::contact::NarrowPhase;
 use crate::model::event::JointBreakEvent;
+use crate::model::frozen::Frozen;
 use crate::model::island::{BodyMotion, IslandManager, StepPace};
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
@@ -18,19 +19,20 @@ use crate::model::params::{
 };
 use crate::step::notes::{Diverged, FastMotion};
 
-/// Input and output of the solver. The comments of the sets list what loading writes.
+/// Input and output of the solver. Nothing can be inserted into the sets or removed. Their comments list the
+/// data that loading writes.
 pub(crate) struct SolverContext<'a> {
     pub settings: SolverSettings<'a>,
     /// The lengths of substeps, and the velocities of position-based kinematic bodies.
-    pub bodies: &'a mut RigidBodySet,
+    pub bodies: Frozen<'a, RigidBodySet>,
     /// Impulses of the last step from the lanes. The lanes are borrowed until impulses are stored.
-    pub narrow_phase: &'a mut NarrowPhase,
+    pub narrow_phase: Frozen<'a, NarrowPhase>,
     /// Angles, flags of displaced joints, and impulses that are scaled to the substep.
-    pub joints: &'a mut ImpulseJointSet,
+    pub joints: Frozen<'a, ImpulseJointSet>,
     /// Notes of multibodies with a removed body. Awake multibodies are borrowed until motions are stored.
-    pub multibodies: &'a mut MultibodyJointSet,
-    /// Loading writes nothing, and storing only [`MotionOutput::motions`].
-    pub islands: &'a mut IslandManager,
+    pub multibodies: Frozen<'a, MultibodyJointSet>,
+    /// Loading writes nothing, and storing [`MotionOutput::motions`].
+    pub islands: Frozen<'a, IslandManager>,
     /// Output: the motions of fast bodies.
     pub fast: &'a mut Vec<FastMotion>,
     /// Output: the trajectories of fast multibodies.
@@ -66,18 +68,18 @@ pub(super) struct ImpulseOutput<'a> {
     pub settings: SolverSettings<'a>,
     pub islands: &'a IslandManager,
     /// Impulses of manifolds; the lanes return.
-    pub narrow_phase: &'a mut NarrowPhase,
+    pub narrow_phase: Frozen<'a, NarrowPhase>,
     /// Impulses, forces and angles.
-    pub joints: &'a mut ImpulseJointSet,
+    pub joints: Frozen<'a, ImpulseJointSet>,
     pub broken: &'a mut Vec<JointBreakEvent>,
 }
 
 /// The sets that receive poses and velocities.
 pub(super) struct MotionOutput<'a> {
     pub settings: SolverSettings<'a>,
-    pub bodies: &'a mut RigidBodySet,
+    pub bodies: Frozen<'a, RigidBodySet>,
     /// The borrowed multibodies return.
-    pub multibodies: &'a mut MultibodyJointSet,
+    pub multibodies: Frozen<'a, MultibodyJointSet>,
     /// By body slot: the motion of the body in this step.
     pub motions: &'a mut [BodyMotion],
     pub fast: &'a mut Vec<FastMotion>,
@@ -94,6 +96,7 @@ impl SolverContext<'_> {
     /// The sets that receive impulses.
     pub(super) fn impulse_output(&mut self) -> ImpulseOutput<'_> {
         let Self { settings, islands, narrow_phase, joints, broken, .. } = self;
+        let (narrow_phase, joints) = (narrow_phase.reborrow(), joints.reborrow());
         ImpulseOutput { settings: *settings, islands, narrow_phase, joints, broken }
     }
 
@@ -101,6 +104,7 @@ impl SolverContext<'_> {
     pub(super) fn motion_output(&mut self) -> MotionOutput<'_> {
         let Self { settings, islands, bodies, multibodies, fast, trajectories, .. } = self;
         let motions = islands.motions_mut(bodies.slot_count());
+        let (bodies, multibodies) = (bodies.reborrow(), multibodies.reborrow());
         MotionOutput { settings: *settings, bodies, multibodies, motions, fast, trajectories }
     }
 }
@@ -110,6 +114,7 @@ impl<'a> SolverSettings<'a> {
     pub(super) fn pass(&self, substeps: usize) -> SolverPass<'a> {
         let Self { gravity, params, pace, simd, tasks } = *self;
         let substep = params.dt / substeps as Real;
+        debug_assert!(substep > 0.0 && substep <= params.dt);
         SolverPass {
             params,
             substep,

@@ -237,6 +237,11 @@ impl Groups {
             self.order.extend(members.map(|(handle, _)| handle));
             self.groups.push(Group { members: start..self.order.len(), substeps });
         }
+        debug_assert_eq!(self.order.len(), islands.awake.len(), "each awake body has one place");
+        debug_assert!(
+            self.groups.is_sorted_by(|one, two| one.members.end == two.members.start),
+            "groups have no common member"
+        );
     }
 
     /// Reads each dynamic body once.
@@ -355,6 +360,7 @@ impl Groups {
             let island = islands.island(id as u32);
             let usual = params.num_solver_iterations + requirement.extra;
             let factor = requirement.factor(island.bodies.len(), usual, gravity, params, pace);
+            debug_assert!(usual > 0 && factor.is_power_of_two());
             self.substeps.push(usual * factor);
             if !island.bodies.is_empty() && !island.sleeping {
                 self.counts.extend(self.substeps.last());

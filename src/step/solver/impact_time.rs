@@ -16,6 +16,7 @@ pub(super) struct ImpactTime {
 impl ImpactTime {
     /// One impact.
     pub fn new(weight: Real, time: Real) -> Self {
+        debug_assert!(weight >= 0.0 || weight.is_nan(), "weights are impulses of contacts");
         Self { weight, moment: weight * time }
     }
 

@@ -28,6 +28,7 @@ impl UnorderedSum {
     /// Adds a term that is included.
     pub fn add(&mut self, term: f64) {
         let unit = self.unit();
+        debug_assert!(term.is_nan() || term.abs() <= self.largest, "only included terms are added");
         // The unit of numbers close to the smallest one is zero, and that of infinities is infinite.
         if unit.is_normal() {
             self.units += (term / unit).round() as i64;

@@ -4,6 +4,7 @@
 //! bodies, joints and contacts read this register to skip them, and do not depend on multibodies.
 
 use crate::model::body::{RigidBody, RigidBodySet};
+use crate::model::frozen::Frozen;
 use crate::model::island::NONE;
 use crate::model::multibody::{Multibody, MultibodyJointSet};
 
@@ -19,7 +20,7 @@ pub(super) struct Links {
 
 impl Links {
     /// Registers the links of all multibodies that are awake and act.
-    pub fn register(&mut self, set: &mut MultibodyJointSet, bodies: &RigidBodySet) {
+    pub fn register(&mut self, set: &mut Frozen<'_, MultibodyJointSet>, bodies: &RigidBodySet) {
         for slot in self.listed.drain(..) {
             self.owners[slot as usize] = NONE;
         }
@@ -45,6 +46,7 @@ impl Links {
             if slot as usize >= self.owners.len() {
                 self.owners.resize(slot as usize + 1, NONE);
             }
+            debug_assert_eq!(self.owners[slot as usize], NONE, "a body is one link");
             self.owners[slot as usize] = owner;
             self.listed.push(slot);
         }

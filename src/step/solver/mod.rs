@@ -104,8 +104,8 @@ impl SolverScratch {
     fn load(&mut self, context: &mut SolverContext<'_>) {
         let Self { groups, links, bodies, constraints } = self;
         groups.divide(context.input(), &context.settings);
-        links.register(context.multibodies, context.bodies);
-        bodies.load(groups, links, context.bodies, &context.settings);
+        links.register(&mut context.multibodies, &context.bodies);
+        bodies.load(groups, links, &mut context.bodies, &context.settings);
         // All groups are solved before any is stored.
         constraints.resize_with(groups.len().max(constraints.len()), Constraints::default);
     }
@@ -146,7 +146,7 @@ impl SolverScratch {
         let links_are_moderate = constraints.multibodies.finish(context.diverged, pass.substep);
         let is_moderate = links_are_moderate & bodies.are_moderate(pass.tasks);
         if !is_moderate || bodies.any_far {
-            bodies.find_diverged(groups, links, context.bodies, context.diverged);
+            bodies.find_diverged(groups, links, &context.bodies, context.diverged);
         }
         counters.velocity_writeback_time.pause();
     }
@@ -155,7 +155,7 @@ impl SolverScratch {
     fn store(&mut self, context: &mut SolverContext<'_>, counters: &mut SolverCounters) {
         let Self { groups, links, bodies, constraints } = self;
         if groups.len() > 0 {
-            context.narrow_phase.contacts.clear_renewed();
+            context.narrow_phase.clear_renewed();
         }
         (counters.nconstraints, counters.ncontacts) = (0, 0);
         let constraints = &mut constraints[..groups.len()];
@@ -176,8 +176,8 @@ impl SolverScratch {
     fn discard(&mut self, context: &mut SolverContext<'_>) {
         for Constraints { contacts, multibodies, .. } in &mut self.constraints[..self.groups.len()]
         {
-            multibodies.give_back(context.multibodies);
-            contacts.give_back(context.narrow_phase);
+            multibodies.give_back(&mut context.multibodies);
+            contacts.give_back(&mut context.narrow_phase);
         }
     }
 }
@@ -191,8 +191,8 @@ impl Constraints {
         context: &mut SolverContext<'_>,
         pass: &SolverPass<'_>,
     ) {
-        self.multibodies.load(members, links, context.multibodies, context.bodies);
-        self.multibodies.begin(context.bodies, context.settings.gravity, pass.substep);
+        self.multibodies.load(members, links, &mut context.multibodies, &context.bodies);
+        self.multibodies.begin(&mut context.bodies, context.settings.gravity, pass.substep);
     }
 
     /// Makes blocks of joints and contacts.

@@ -161,6 +161,7 @@ impl Stack {
     /// The stack of those of these bodies that rest relative to their mean velocity; `None` for less than
     /// three. The unit vector `up` is opposite to gravity.
     pub fn of(members: &[Member], gravity: Real, up: Vector) -> Option<Self> {
+        debug_assert!((up.length() - 1.0).abs() < 1.0e-3 && gravity > 0.0);
         let velocities = members.iter().fold(Vector::ZERO, |sum, body| sum + body.linvel);
         let drift = velocities / (members.len() as Real).max(1.0);
         let mut resting = members.iter().filter(|body| body.rests(drift, gravity));

@@ -96,6 +96,23 @@ impl MultibodyJointSet {
         Ok(())
     }
 
+    /// Checks that each multibody is a tree of at least two links, all of which the set finds by their bodies
+    /// and joints. Allocates no memory.
+    pub(crate) fn check_trees(&self) -> Result<(), Fault> {
+        for (index, multibody) in self.multibodies.iter() {
+            let index = MultibodyIndex(index);
+            ensure!(
+                !self.is_broken(index),
+                "links of {index:?} differ from those in the lists of the set"
+            );
+            ensure!(multibody.num_links() > 1, "{index:?} is a single body");
+            let is_joined = |link: &MultibodyLink| link.handle.is_some() == link.parent.is_some();
+            ensure!(multibody.links.iter().all(is_joined), "{index:?} has a link without a joint");
+            multibody.check_layout()?;
+        }
+        Ok(())
+    }
+
     /// Marks a multibody as changed for the next step.
     pub(crate) fn note(&mut self, index: MultibodyIndex) {
         self.modified.push((index, false));
@@ -107,13 +124,9 @@ check_when_loaded!(MultibodyJointSet);
 /// Each link is found by its body and its joint, and nothing else is.
 impl Loaded for MultibodyJointSet {
     fn check_loaded(&self) -> Result<(), Fault> {
+        self.check_trees()?;
         let (mut links, mut joints) = (0, 0);
-        for (index, multibody) in self.multibodies.iter() {
-            let index = MultibodyIndex(index);
-            ensure!(
-                !self.is_broken(index),
-                "links of {index:?} differ from those in the lists of the set"
-            );
+        for (_, multibody) in self.multibodies.iter() {
             links += multibody.num_links();
             joints += multibody.links.iter().filter(|link| link.handle.is_some()).count();
         }

@@ -33,12 +33,12 @@ enum Depth {
 }
 
 impl Structure<'_> {
-    /// Checks every sentence of the module's documentation.
+    /// Checks every sentence of the module's documentation, and the trees of multibodies.
     ///
     /// # Panics
     /// If one does not hold.
-    pub fn validate(&self) {
-        let fault = self.check().err();
+    pub fn validate(&self, multibodies: &MultibodyJointSet) {
+        let fault = self.check().and_then(|()| multibodies.check_trees()).err();
         assert!(fault.is_none(), "{}", fault.map_or(String::new(), |fault| fault.to_string()));
     }
 

@@ -51,6 +51,7 @@ impl<T: Copy> Layout<T> {
             *place += 1;
         }
         self.colors.extend((first..self.starts.len()).map(|block| block..block + 1));
+        debug_assert_eq!(next, self.members.len(), "each constraint has a lane");
     }
 }
 
@@ -85,6 +86,7 @@ impl<T> Layout<T> {
         if used > *capacity || 4 * used + SPARE_BLOCKS_MAX < *capacity {
             *capacity = used + used / 8;
         }
+        debug_assert!(used <= *capacity, "the reserve takes no block away");
         self.starts.resize(first + *capacity, self.members.len());
     }
 

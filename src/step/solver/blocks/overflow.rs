@@ -37,6 +37,7 @@ impl OverflowOrder {
         let behind = |slot: u32| self.behind.get(slot as usize).copied().unwrap_or(0);
         let earliest = slots.clone().map(behind).max().unwrap_or(0);
         let block = self.first_open(earliest);
+        debug_assert!(block >= earliest && self.filled[block as usize] < LANES);
         self.filled[block as usize] += 1;
         if self.filled[block as usize] == LANES {
             self.open[block as usize] = block + 1;

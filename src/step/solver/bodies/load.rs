@@ -10,6 +10,7 @@ use crate::dim::motion::{FreeMotion, is_uneven};
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::{EnergyError, RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
 use crate::model::contact::AnchorFrame;
+use crate::model::frozen::Frozen;
 use crate::model::island::{NONE, StepPace};
 use crate::model::params::IntegrationParameters;
 use crate::step::solver::context::SolverSettings;
@@ -24,7 +25,7 @@ impl SolverBodies {
         &mut self,
         groups: &Groups,
         links: &Links,
-        bodies: &mut RigidBodySet,
+        bodies: &mut Frozen<'_, RigidBodySet>,
         settings: &SolverSettings<'_>,
     ) {
         let &SolverSettings { gravity, params, pace, tasks, .. } = settings;
@@ -38,10 +39,15 @@ impl SolverBodies {
             let members = group.members.clone();
             self.any_far |= self.load_members(order, members, bodies, &context, h, tasks);
         }
+        debug_assert!(
+            self.impulse_fractions.iter().all(ImpulseFractions::are_fractions),
+            "a step begins with at most the impulses of the last one"
+        );
         self.any_scaled = self.impulse_fractions.iter().any(|it| it.of_contacts < 1.0);
         let uneven = self.uneven.iter().zip(&self.poses).enumerate().filter(|(_, (is, _))| **is);
         self.uneven_starts.clear();
         self.uneven_starts.extend(uneven.map(|(k, (_, pose))| (k as u32, pose.inv_inertia())));
+        debug_assert!(self.indices.iter().all(|&index| self.has_state(index & !NEAR_REST)));
     }
 
     /// Allocates states for some bodies, which fill all of them, and for the world.
@@ -84,7 +90,7 @@ impl SolverBodies {
         &mut self,
         order: &[RigidBodyHandle],
         members: Range<usize>,
-        bodies: &mut RigidBodySet,
+        bodies: &mut Frozen<'_, RigidBodySet>,
         context: &LoadContext<'_>,
         h: Real,
         tasks: Tasks<'_>,

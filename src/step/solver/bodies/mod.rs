@@ -71,6 +71,11 @@ pub(super) struct ImpulseFractions {
 impl ImpulseFractions {
     /// The whole impulses.
     const ALL: Self = Self { of_joints: 1.0, of_contacts: 1.0 };
+
+    /// Returns whether both are within 0 and 1.
+    fn are_fractions(&self) -> bool {
+        [self.of_joints, self.of_contacts].iter().all(|fraction| (0.0..=1.0).contains(fraction))
+    }
 }
 
 const WORLD: u32 = BodyPose::WORLD_INDEX | NEAR_REST;
@@ -81,6 +86,8 @@ impl SolverBodies {
     /// Selects the group that is solved; the others do not move.
     pub fn enter(&mut self, group: &Group, groups: &Groups) {
         let ungrouped = self.begin_ungrouped(groups);
+        debug_assert!(ungrouped.end <= 1 + group.members.start, "bodies move once in a substep");
+        debug_assert!(group.members.end < self.states.len(), "each member has a state");
         self.moving = [ungrouped, 1 + group.members.start..1 + group.members.end];
     }
 
@@ -112,6 +119,11 @@ impl SolverBodies {
             self.integrate_positions(pass);
         }
         limited
+    }
+
+    /// Returns whether an index of a body, with or without [`READ_ONLY`], is that of a state.
+    pub fn has_state(&self, index: u32) -> bool {
+        ((index & !READ_ONLY) as usize) < self.states.len()
     }
 
     /// The bodies that may move.
@@ -215,6 +227,10 @@ impl SolverBodies {
                 continue;
             }
             let fraction = fraction(self.islands[index]);
+            debug_assert!(
+                (0.0..=1.0).contains(&fraction),
+                "an impact gives no more than its round"
+            );
             let (added_v, added_w) = ((v - old_v) * fraction, (w - old_w) * fraction);
             self.before[index].set_velocity(old_v + added_v, old_w + added_w);
             self.states[index].add_velocity(join(added_v, added_w));
@@ -228,6 +244,7 @@ impl SolverBodies {
     /// Rotates the inertias of uneven bodies of the group to their present orientations.
     pub fn turn_uneven(&mut self, simd: Simd) {
         let Self { uneven_starts, states, poses, moving: [_, members], .. } = self;
+        debug_assert!(uneven_starts.is_sorted_by_key(|start| start.0), "the search bisects");
         let position = |end: usize| uneven_starts.partition_point(|start| (start.0 as usize) < end);
         let uneven_starts = &uneven_starts[position(members.start)..position(members.end)];
         simd.run(TurnInertias { uneven_starts, states, poses });

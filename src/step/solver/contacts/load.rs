@@ -10,6 +10,7 @@ use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
 use crate::model::contact::{
     ContactInput, ContactPair, LaneBlock, LaneCapacity, NarrowPhase, PairStore, reserve_blocks,
 };
+use crate::model::frozen::Frozen;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::links::Links;
 use core::sync::atomic::{AtomicUsize, Ordering};
@@ -35,11 +36,11 @@ impl SolverContacts {
         &mut self,
         context: ContactLoadContext<'_>,
         graph: &ConstraintGraph,
-        narrow_phase: &mut NarrowPhase,
+        narrow_phase: &mut Frozen<'_, NarrowPhase>,
         tasks: Tasks<'_>,
     ) {
         let ContactLoadContext { bodies, is_only_group, per_point, .. } = context;
-        let NarrowPhase { contacts, lanes, .. } = &mut *narrow_phase;
+        let (lanes, contacts) = narrow_phase.lanes_mut();
         let capacity = is_only_group.then_some(&mut lanes.capacity);
         self.lay_out(context, graph, contacts, capacity);
         // A lane whose manifold changed is filled from the manifold, so the manifold must be written back
@@ -53,9 +54,9 @@ impl SolverContacts {
         self.lanes_are_scaled = bodies.any_scaled();
         self.are_on_loan = is_only_group;
         if is_only_group {
-            self.lanes = core::mem::take(&mut narrow_phase.lanes);
+            self.lanes = core::mem::take(narrow_phase.lanes_mut().0);
         } else {
-            narrow_phase.lanes.invalidate();
+            narrow_phase.lanes_mut().0.invalidate();
             self.lanes.invalidate();
         }
         let count = self.layout.block_count();

@@ -19,6 +19,7 @@ use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactLanes, ContactReport, LaneBlock, NarrowPhase};
+use crate::model::frozen::Frozen;
 use crate::model::params::ContactPass;
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
@@ -66,12 +67,12 @@ impl SolverContacts {
     }
 
     /// Discards the results of the step.
-    pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase) {
+    pub fn give_back(&mut self, narrow_phase: &mut Frozen<'_, NarrowPhase>) {
         if self.lanes_are_scaled {
             self.lanes.invalidate();
         }
         if self.are_on_loan {
-            narrow_phase.lanes = core::mem::take(&mut self.lanes);
+            *narrow_phase.lanes_mut().0 = core::mem::take(&mut self.lanes);
         }
     }
 
@@ -81,6 +82,7 @@ impl SolverContacts {
         let rows = if pass.has_friction_per_point() { self.blocks.len() } else { 0 };
         self.coulomb.resize(rows, CoulombBlock::EMPTY);
         let (prediction, half_step) = (params.prediction_distance(), 0.5 * params.dt);
+        debug_assert!(self.have_states(bodies), "lanes name bodies of this step");
         let (poses, states) = bodies.shared();
         let lanes = &self.lanes.blocks[..];
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
@@ -175,6 +177,24 @@ impl SolverContacts {
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(Relax { range, blocks, states, pass });
         });
+        debug_assert!(!self.has_negative_numbers(), "contacts push");
+    }
+
+    /// Returns whether the bodies of all filled lanes have a state.
+    fn have_states(&self, bodies: &SolverBodies) -> bool {
+        self.layout.colors().iter().flat_map(Clone::clone).all(|index| {
+            let [first, second] = &self.lanes.blocks[index].input.bodies;
+            let count = self.layout.block(index).len();
+            first[..count].iter().chain(&second[..count]).all(|&body| bodies.has_state(body))
+        })
+    }
+
+    /// Returns whether an effective mass or a normal impulse is negative. NaN is not: a diverging world may
+    /// contain NaN until the divergence check.
+    fn has_negative_numbers(&self) -> bool {
+        let points = self.blocks.iter().flat_map(|block| &block.points);
+        let numbers = points.flat_map(|point| point.mass.0.iter().chain(&point.impulse.0));
+        numbers.into_iter().any(|&number| number < 0.0)
     }
 
     /// The blocks of each colour.
@@ -220,7 +240,8 @@ impl SolverContacts {
         }
         if self.are_on_loan {
             self.lanes.go_ahead(&self.starts, narrow_phase.contacts.id_bound());
-            narrow_phase.lanes = core::mem::take(&mut self.lanes);
+            *narrow_phase.lanes_mut().0 = core::mem::take(&mut self.lanes);
+            debug_assert!(narrow_phase.has_indexed_lanes(), "a lane is that of its manifold");
         }
     }
 
@@ -230,8 +251,13 @@ impl SolverContacts {
         self.starts.first().is_none_or(|&first| color.start < first as usize)
     }
 
-    fn write_back(&self, color: Range<usize>, narrow_phase: &mut NarrowPhase, tasks: Tasks<'_>) {
-        let pairs = DisjointMut::new(narrow_phase.contacts.split().pairs);
+    fn write_back(
+        &self,
+        color: Range<usize>,
+        narrow_phase: &mut Frozen<'_, NarrowPhase>,
+        tasks: Tasks<'_>,
+    ) {
+        let pairs = narrow_phase.share_pairs();
         tasks.par_for(color.len(), BLOCKS_PER_TASK, |range| {
             for index in color.start + range.start..color.start + range.end {
                 let soon = self.layout.block_or_none(index + 1);

@@ -43,10 +43,12 @@ impl ImpactIsland {
     /// The fraction of a round that keeps the energy at or below its initial value.
     pub fn fraction(&self) -> Real {
         let fraction = self.dissipated / (self.dissipated - self.energy_gain);
-        match self.energy_gain > 0.0 {
+        let fraction = match self.energy_gain > 0.0 {
             true if self.dissipated < 0.0 => fraction.max(0.0),
             true => 0.0,
             false => 1.0,
-        }
+        };
+        debug_assert!((0.0..=1.0).contains(&fraction));
+        fraction
     }
 }

@@ -166,6 +166,7 @@ impl Impacts {
                 self.colors.push(start..self.blocks.len());
             }
         }
+        debug_assert!(self.colors.is_sorted_by(|one, two| one.end == two.start));
         self.marks.clear();
         self.marks.resize(self.blocks.len(), ImpactMark::default());
     }

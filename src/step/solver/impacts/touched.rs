@@ -29,6 +29,10 @@ impl Touched {
             self.start[body as usize] = BodyState::default();
             self.times[body as usize] = ImpactTime::default();
         }
+        debug_assert!(
+            self.rounds.iter().all(|&round| round == 0),
+            "no body of the last impact is left"
+        );
         self.round = 1;
         self.rounds.resize(count, 0);
         self.start.resize(count, BodyState::default());

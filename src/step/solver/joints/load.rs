@@ -16,6 +16,7 @@ use crate::dim::state::READ_ONLY;
 use crate::dim::wide::set_ang_lane;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::constraint_graph::OVERFLOW;
+use crate::model::frozen::Frozen;
 use crate::model::island::IslandManager;
 use crate::model::joint::{
     GenericJoint, ImpulseJoint, ImpulseJointSet, JointLimits, MotorModel, mask_of, nearest_turn,
@@ -51,7 +52,7 @@ impl SolverJoints {
     /// Makes constraints of the joints that have a colour. Joints of links are left to their multibodies.
     pub fn load(
         &mut self,
-        joints: &mut ImpulseJointSet,
+        joints: &mut Frozen<'_, ImpulseJointSet>,
         context: JointLoadContext<'_>,
         pass: &JointPass,
         tasks: Tasks<'_>,
@@ -65,6 +66,10 @@ impl SolverJoints {
         transmissions.note_alone(direct, rows);
         self.note_exact_joints(context.bodies.states.len());
         self.point_to_point.load(joints, context, pass, tasks);
+        debug_assert_eq!(self.len(), self.members.len(), "each joint has one place");
+        debug_assert!(self.blocks.iter().all(|block| block.axis_rows().end <= self.rows.len()));
+        let mut ends = self.blocks.iter().flat_map(|block| block.bodies).flatten();
+        debug_assert!(ends.all(|body| context.bodies.has_state(body)));
     }
 
     /// Finds the active joints.
@@ -127,7 +132,7 @@ impl SolverJoints {
     /// Makes the blocks of all joints that are not point-to-point joints, and their rows.
     fn fill_blocks(
         &mut self,
-        joints: &mut ImpulseJointSet,
+        joints: &mut Frozen<'_, ImpulseJointSet>,
         context: JointLoadContext<'_>,
         pass: &JointPass,
         tasks: Tasks<'_>,

@@ -291,6 +291,7 @@ impl SolverJoints {
         };
         self.direct.solve(Rows::Locked, &mut self.jacobians, states, is_selected, simd, tasks);
         let (blocks, memory) = (&self.blocks, self.jacobians.blocks.as_slice());
+        debug_assert_eq!(self.impact_impulses.len(), count, "a round has begun");
         let impact_impulses = DisjointMut::new(&mut self.impact_impulses);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Count { range, blocks, memory, impact_impulses });

@@ -6,6 +6,7 @@ use crate::dim::joint::set_couple;
 use crate::dim::math::{DIM, Real};
 use crate::dim::wide::ang_lane;
 use crate::model::event::JointBreakEvent;
+use crate::model::frozen::Frozen;
 use crate::model::island::IslandManager;
 use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
 use crate::step::solver::bodies::SolverBodies;
@@ -54,7 +55,7 @@ impl SolverJoints {
     fn break_overloaded(
         &self,
         islands: &IslandManager,
-        joints: &mut ImpulseJointSet,
+        joints: &mut Frozen<'_, ImpulseJointSet>,
         broken: &mut Vec<JointBreakEvent>,
     ) {
         let of_blocks = self.layout.iter().map(|lane_slot| lane_slot.slot);
@@ -83,7 +84,9 @@ fn store_lane(
     set_couple(&mut joint.impulses, ang_lane(&block.couple, lane));
     for (axis, row) in joint.data.driven_axes().zip(rows) {
         let k = axis as usize;
-        joint.data.limits[k].impulse = row.lower.0[lane] - row.upper.0[lane];
+        let limits = [row.lower.0[lane], row.upper.0[lane]];
+        debug_assert!(!limits.iter().any(|&impulse| impulse < 0.0), "limits push: {limits:?}");
+        joint.data.limits[k].impulse = limits[0] - limits[1];
         joint.data.motors[k].impulse = row.motor.impulse.0[lane];
         let (angles, angle) = (joint.angles.as_mut(), row.position.0[lane]);
         if let (Some(angles), Some(k), true) = (angles, k.checked_sub(DIM), angle.is_finite()) {

@@ -145,6 +145,7 @@ impl Account {
         } else {
             1.0
         };
+        debug_assert!((0.0..=1.0).contains(&self.kept), "impulses neither grow nor reverse");
     }
 
     /// The bound of the balance, in both directions.
@@ -166,6 +167,7 @@ impl Account {
         let gain = if change > 0.0 { (change - self.drive).max(0.0) } else { change };
         let balance = self.known_balance() + gain;
         self.balance = if balance.is_finite() { balance.max(-self.band()) } else { 0.0 };
+        debug_assert!(self.balance.is_finite() && self.balance >= -self.band().max(0.0));
         self.is_exceeded |= self.kept < 1.0;
     }
 }

@@ -210,6 +210,7 @@ impl Ledger {
                 let Some(account) = account.filter(|account| account.is_open()) else { continue };
                 let pose = &bodies.poses[index];
                 let inv_mass = pose.inv_mass().max_element();
+                debug_assert!(inv_mass >= 0.0);
                 let mass = if inv_mass > 0.0 { 1.0 / inv_mass } else { 0.0 };
                 if account.suspects(self.is_deep[index]) {
                     // Islands that merge have the worse balance.
@@ -241,6 +242,7 @@ impl Ledger {
 
     /// Adds the most energy that motors between two bodies can give in the substep of the next entry.
     pub fn add_drive(&mut self, pair: [u32; 2], energy: Real, bodies: &SolverBodies) {
+        debug_assert!(energy >= 0.0 || energy.is_nan(), "a capacity");
         self.drives.push(bodies.island_of(pair), [energy]);
     }
 
@@ -275,6 +277,11 @@ impl Ledger {
     fn measure(&mut self, bodies: &SolverBodies, pass: &SolverPass<'_>) {
         let Self { accounts, members, masses, terms, sums, drives, is_deep, .. } = self;
         let (states, before) = (&bodies.states[members.clone()], &bodies.before[members.clone()]);
+        debug_assert_eq!(
+            masses.len(),
+            members.len().div_ceil(LANES),
+            "the group is that of `open`"
+        );
         terms.clear();
         terms.resize(masses.len(), [Lane::ZERO; 4]);
         pass.simd.run(Measure { masses, states, before, terms });

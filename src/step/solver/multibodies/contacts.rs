@@ -12,6 +12,7 @@ use crate::dim::contact::PointTangentMass;
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, NarrowPhase};
+use crate::model::frozen::Frozen;
 use crate::model::params::ContactPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::context::SolverInput;
@@ -292,13 +293,14 @@ impl LinkContacts {
 
     /// Counts the impulses of the substep into those of the step.
     pub fn count(&mut self) {
+        debug_assert!(!self.points().any(|point| point.impulse < 0.0), "contacts push");
         self.points().for_each(|point| point.total += point.impulse);
     }
 
     /// Writes impulses, and where the contacts were, back to the manifolds.
-    pub fn store(&self, narrow_phase: &mut NarrowPhase) {
+    pub fn store(&self, narrow_phase: &mut Frozen<'_, NarrowPhase>) {
         for contact in &self.contacts {
-            let pair = &mut narrow_phase.contacts[contact.at.pair];
+            let pair = narrow_phase.pair_mut(contact.at.pair);
             let data = &mut pair.manifolds[contact.at.manifold as usize].data;
             if !contact.is_sound() {
                 data.clear_impulses();

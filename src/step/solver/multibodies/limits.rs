@@ -24,6 +24,7 @@ use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{ANG_DIM, DIM, Real, SpatialVector};
 use crate::dim::spatial::{ang_components, angular, linear};
+use crate::model::frozen::Frozen;
 use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, mask_of,
 };
@@ -238,6 +239,7 @@ impl JointRows {
     pub fn take_from<'a>(&mut self, solved: &mut impl Iterator<Item = &'a SystemRow>) {
         for (limit, solved) in self.limits.iter_mut().zip(&mut *solved) {
             let [_, lower, upper] = solved.parts();
+            debug_assert!(![lower, upper].iter().any(|&impulse| impulse < 0.0), "limits push");
             limit.impulses = [lower, upper];
         }
         for (force_row, solved) in self.force_rows.iter_mut().zip(&mut *solved) {
@@ -262,7 +264,7 @@ impl JointRows {
     }
 
     /// Adds the mean forces of limits and motors to those of joints that close loops.
-    pub fn add_forces(&self, joints: &mut ImpulseJointSet, inv_dt: Real) {
+    pub fn add_forces(&self, joints: &mut Frozen<'_, ImpulseJointSet>, inv_dt: Real) {
         let limits = self.limits.iter().map(|limit| (limit.owner, limit.total));
         let force_rows = self.force_rows.iter().map(|force_row| (force_row.owner, force_row.total));
         for (owner, total) in limits.chain(force_rows) {
@@ -274,7 +276,7 @@ impl JointRows {
     }
 
     /// Writes the impulses to the joints.
-    pub fn store(&self, multibodies: &mut [Moving], joints: &mut ImpulseJointSet) {
+    pub fn store(&self, multibodies: &mut [Moving], joints: &mut Frozen<'_, ImpulseJointSet>) {
         for limit in &self.limits {
             if let Some(data) = limit.owner.data(multibodies, joints) {
                 data.limits[limit.axis as usize].impulse = finite(limit.impulse());
@@ -314,7 +316,7 @@ impl Owner {
     fn data<'a>(
         self,
         multibodies: &'a mut [Moving],
-        joints: &'a mut ImpulseJointSet,
+        joints: &'a mut Frozen<'_, ImpulseJointSet>,
     ) -> Option<&'a mut GenericJoint> {
         match self {
             Self::Link { multibody, link } => {

@@ -4,6 +4,7 @@ use super::{LinkPlace, Moving, SolverMultibodies};
 use crate::dim::math::{Real, Vector};
 use crate::dim::spatial::join;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::frozen::Frozen;
 use crate::model::island::NONE;
 use crate::model::joint::{GenericJoint, MotorModel};
 use crate::model::multibody::{LinkTravel, Multibody, MultibodyJointSet};
@@ -16,7 +17,7 @@ impl SolverMultibodies {
         &mut self,
         members: &[RigidBodyHandle],
         links: &Links,
-        set: &mut MultibodyJointSet,
+        set: &mut Frozen<'_, MultibodyJointSet>,
         bodies: &RigidBodySet,
     ) {
         for slot in self.listed.drain(..) {
@@ -34,6 +35,7 @@ impl SolverMultibodies {
             let Some(index) = set.index_at(owner) else { continue };
             let Some(multibody) = set.get_unnoted_mut(index) else { continue };
             self.list_links(multibody, bodies);
+            debug_assert!(multibody.is_whole() && !multibody.links.is_empty());
             let mut moving = self.spare.pop().unwrap_or_default();
             (moving.index, moving.multibody) = (index, core::mem::take(multibody));
             moving.island = bodies.get(*member).map_or(NONE, |body| body.link.island);
@@ -59,7 +61,7 @@ impl SolverMultibodies {
     /// Notes the loads of the multibodies, and their start. Ordinary bodies must have been loaded.
     ///
     /// Substeps take `h` seconds.
-    pub fn begin(&mut self, bodies: &mut RigidBodySet, gravity: Vector, h: Real) {
+    pub fn begin(&mut self, bodies: &mut Frozen<'_, RigidBodySet>, gravity: Vector, h: Real) {
         for moving in &mut self.moving {
             moving.fit_impulses(bodies, h);
             moving.read_forces(bodies, gravity);
@@ -68,6 +70,7 @@ impl SolverMultibodies {
             moving.add_motors();
             moving.motion.resist(h);
             let ndofs = moving.motion.rates.len();
+            debug_assert_eq!(ndofs, moving.multibody.ndofs());
             for list in [&mut moving.pushed, &mut moving.shift] {
                 list.clear();
                 list.resize(ndofs, 0.0);
@@ -93,7 +96,7 @@ pub(super) fn scale_impulses(joint: &mut GenericJoint, fraction: Real) {
 impl Moving {
     /// Scales the last impulses for substeps of `h` seconds
     /// ([`ImpulseFractions`](crate::step::solver::bodies::ImpulseFractions)).
-    fn fit_impulses(&mut self, bodies: &mut RigidBodySet, h: Real) {
+    fn fit_impulses(&mut self, bodies: &mut Frozen<'_, RigidBodySet>, h: Real) {
         self.fraction = 1.0;
         for link in &self.multibody.links {
             let body = bodies.get_unnoted_mut(link.body).filter(|body| body.is_dynamic());
@@ -103,6 +106,7 @@ impl Moving {
             }
             body.substep = h;
         }
+        debug_assert!((0.0..=1.0).contains(&self.fraction));
         if self.fraction < 1.0 {
             let Multibody { links, lists, couplings, .. } = &mut self.multibody;
             for link in links {

@@ -29,6 +29,7 @@ use crate::dim::spatial::{angular, join, linear, locked_angles, turn_axis};
 use crate::dim::state::READ_ONLY;
 use crate::model::body::RigidBodySet;
 use crate::model::event::JointBreakEvent;
+use crate::model::frozen::Frozen;
 use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, Transmission, TransmissionCount, mask_of,
     relative_rotation,
@@ -419,7 +420,7 @@ impl Loops {
     }
 
     /// Writes impulses and the mean forces of locked axes to the joints.
-    pub fn store(&self, joints: &mut ImpulseJointSet, inv_dt: Real) {
+    pub fn store(&self, joints: &mut Frozen<'_, ImpulseJointSet>, inv_dt: Real) {
         for Loop { handle, locked, .. } in &self.loops {
             let Some(joint) = joints.get_unnoted_mut(*handle) else { continue };
             (joint.force, joint.torque) = (Vector::ZERO, ANG_ZERO);
@@ -432,7 +433,7 @@ impl Loops {
     }
 
     /// Writes what transmissions have counted to the joints.
-    pub fn store_counts(&self, joints: &mut ImpulseJointSet) {
+    pub fn store_counts(&self, joints: &mut Frozen<'_, ImpulseJointSet>) {
         for (handle, count) in &self.counts {
             if let Some(joint) = joints.get_unnoted_mut(*handle) {
                 joint.count = Some(*count);
@@ -443,7 +444,7 @@ impl Loops {
     /// Breaks the overloaded joints. All their forces must have been written.
     pub fn break_overloaded(
         &self,
-        joints: &mut ImpulseJointSet,
+        joints: &mut Frozen<'_, ImpulseJointSet>,
         broken: &mut Vec<JointBreakEvent>,
     ) {
         for Loop { handle, .. } in &self.loops {

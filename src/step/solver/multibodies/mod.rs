@@ -307,6 +307,7 @@ impl Moving {
         self.kept = 1.0;
         if self.has_gained {
             self.kept = self.motion.remove_excess(self.touches);
+            debug_assert!(self.kept <= 1.0 || self.kept.is_nan(), "removal adds nothing");
             self.pushed.iter_mut().for_each(|rate| *rate *= self.kept);
             self.root_pushed.iter_mut().for_each(|impulse| *impulse *= self.kept);
         }

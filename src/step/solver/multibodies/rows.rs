@@ -121,6 +121,7 @@ impl JacobianPool {
 
     /// Ends that.
     pub fn append(&mut self) {
+        debug_assert!(self.next <= self.jacobians.len(), "a row that is made anew keeps its count");
         self.next = self.jacobians.len();
     }
 
@@ -134,6 +135,7 @@ impl JacobianPool {
         fill: impl FnOnce(&Moving, &mut [Real], &mut [Real]),
     ) -> Part {
         let moving = &mut multibodies[multibody];
+        debug_assert_eq!(self.jacobians.len(), self.responses.len());
         let start = self.next;
         let end = start + moving.motion.rates.len();
         self.next = end;
@@ -155,6 +157,7 @@ impl JacobianPool {
         }
         let first = jacobian.iter().position(|&number| number != 0.0).unwrap_or(0);
         let behind = jacobian.iter().rposition(|&number| number != 0.0).map_or(0, |last| last + 1);
+        debug_assert!(first <= behind && behind <= jacobian.len());
         Part::Links { multibody, start, span: [first, behind], is_movable }
     }
 

@@ -6,6 +6,7 @@ use crate::dim::math::{ANG_ZERO, Pose, Real, SPATIAL_DIM, SpatialVector, ang_len
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::check::checked_pose;
+use crate::model::frozen::Frozen;
 use crate::model::island::BodyMotion;
 use crate::model::multibody::{LinkTrajectory, LinkTravel, MultibodyJointSet};
 use crate::step::notes::{Diverged, FastMotion, MotionPart};
@@ -51,7 +52,7 @@ impl SolverMultibodies {
 
     /// Returns the multibodies to their set in their state at the start of the step, except impulses that
     /// were scaled to its substeps.
-    pub fn give_back(&mut self, set: &mut MultibodyJointSet) {
+    pub fn give_back(&mut self, set: &mut Frozen<'_, MultibodyJointSet>) {
         for mut moving in self.moving.drain(..) {
             moving.undo();
             if let Some(place) = set.get_unnoted_mut(moving.index) {
@@ -137,7 +138,7 @@ impl Moving {
         &mut self,
         id: usize,
         motions: &mut [BodyMotion],
-        bodies: &mut RigidBodySet,
+        bodies: &mut Frozen<'_, RigidBodySet>,
     ) -> Option<(Real, FastMotion)> {
         let velocity = self.motion.link_velocities()[id];
         let pose = self.pose(id);

@@ -152,6 +152,7 @@ impl RowSystem {
         let mut order = core::mem::take(&mut self.order);
         order.extend(self.rows.iter().enumerate().map(|(k, row)| [row.group, k]));
         order.sort_unstable();
+        debug_assert_eq!(order.len(), self.rows.len(), "each row is solved once");
         for group in order.chunk_by(|[a, _], [b, _]| a == b) {
             let has_loops = self.loop_rows.get(group[0][0]).is_some_and(|count| *count > 0);
             if self.is_connected && has_loops {
@@ -231,6 +232,7 @@ impl RowSystem {
             x.push(missing);
             active.push(position);
         }
+        debug_assert_eq!(matrix.len(), x.len() * (x.len() + 1) / 2, "the lower half");
         symmetric::factorize(matrix, x.len());
         symmetric::solve(matrix, x);
         for (&position, &change) in active.iter().zip(&*x) {

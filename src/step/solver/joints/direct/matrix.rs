@@ -333,6 +333,8 @@ impl<const N: usize> Matrix<N> {
                 }
             }
         }
+        let mut inverses = self.inverses.iter().flatten();
+        debug_assert!(!inverses.any(|&inverse| inverse < 0.0), "the matrix is positive definite");
     }
 
     /// Subtracts the effect of the elimination of the column `at` from the block of two of its rows.

@@ -201,6 +201,7 @@ impl Direct {
 
     /// Begins a pass.
     pub fn begin(&mut self) {
+        debug_assert_eq!(self.solve_states.len(), self.pattern.component_count());
         for solve_state in &mut self.solve_states {
             (solve_state.rounds, solve_state.next) = (0, Next::Solve);
         }

@@ -157,8 +157,15 @@ impl Pattern {
         self.position_of_slot.clear();
         self.position_of_slot.resize(slots, NONE);
         for (position, member) in self.members.iter().enumerate() {
-            self.position_of_slot[member.slot as usize] = position as u32;
+            let known = &mut self.position_of_slot[member.slot as usize];
+            debug_assert_eq!(*known, NONE, "a joint is in one component");
+            *known = position as u32;
         }
+        debug_assert!(
+            self.components.is_sorted_by(|one, two| one.members.end == two.members.start),
+            "components have no common joint"
+        );
+        debug_assert_eq!(self.bodies.len(), self.members.len());
     }
 
     fn find_components(&mut self, members: &[DirectJoint]) {
@@ -218,6 +225,7 @@ impl Pattern {
         };
         let is_direct = fill(columns, neighbours, work);
         if is_direct {
+            debug_assert!(self.columns[start..].iter().zip(0..).take(count).all(is_below_diagonal));
             let body_count = self.search.number_bodies(&self.members[start..], &mut self.bodies);
             let members = &self.members[start..];
             self.components.push(Part {
@@ -250,6 +258,11 @@ impl Pattern {
         core::mem::swap(&mut search.order, &mut self.ordering.order);
         is_worth_it
     }
+}
+
+/// Returns whether the blocks of a column are in ascending rows below the diagonal.
+fn is_below_diagonal((column, at): (&Vec<u32>, u32)) -> bool {
+    column.is_sorted_by(|row, next| row < next) && column.first().is_none_or(|&row| row > at)
 }
 
 impl Search {

@@ -26,6 +26,7 @@ use crate::base::tasks::Tasks;
 use crate::base::wide::{LANES, Lane, Simd};
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
+use crate::model::frozen::Frozen;
 use crate::model::island::IslandManager;
 use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
 use crate::model::params::JointPass;
@@ -93,6 +94,8 @@ impl PointToPointJoints {
             }
             block
         });
+        let mut ends = self.blocks.iter().flat_map(|block| block.bodies).flatten();
+        debug_assert!(ends.all(|body| bodies.has_state(body)));
     }
 
     /// Gives the bodies the impulses with which the step starts.
@@ -144,7 +147,7 @@ impl PointToPointJoints {
     pub fn store(
         &self,
         islands: &IslandManager,
-        joints: &mut ImpulseJointSet,
+        joints: &mut Frozen<'_, ImpulseJointSet>,
         inv_dt: Real,
         overload: &AtomicBool,
         tasks: Tasks<'_>,

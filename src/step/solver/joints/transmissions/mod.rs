@@ -21,6 +21,7 @@ use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
 use crate::dim::wide::WideVector;
+use crate::model::frozen::Frozen;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::params::JointPass;
@@ -70,7 +71,7 @@ impl Transmissions {
     pub fn load(
         &mut self,
         members: &[DirectJoint],
-        joints: &mut ImpulseJointSet,
+        joints: &mut Frozen<'_, ImpulseJointSet>,
         context: JointLoadContext<'_>,
         pass: &JointPass,
         (blocks, rows): (&mut Vec<JointBlock>, &mut Vec<AxisRow>),
@@ -317,7 +318,7 @@ impl Transmissions {
     pub fn store(
         &self,
         islands: &IslandManager,
-        joints: &mut ImpulseJointSet,
+        joints: &mut Frozen<'_, ImpulseJointSet>,
         rows: &[AxisRow],
         inv_dt: Real,
     ) -> bool {
