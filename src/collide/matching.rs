@@ -78,10 +78,10 @@ pub(super) fn replace_contacts(
 
 /// Gives a manifold these points, which carry no impulses yet.
 ///
-/// The solver visits them in this order, that of the features of the shapes. It is not the same in a mirror, so
-/// mirror-image collisions of boxes differ by up to 7 mm after 45 steps. Rejected alternative: an order by
-/// depth, in each step or at the beginning of a contact, the deepest first or last. Boxes are then mirrored to
-/// 0.1 mm, but heaps settle worse: an overlap of 30 mm in the scene `primitives` that is below 10 mm now.
+/// The solver visits them in this order, that of the features of the shapes. It is not the same in a mirror,
+/// so mirror-image collisions of boxes differ by up to 7 mm after 45 steps. Rejected alternative: an order by
+/// depth, in each step or at the beginning of a contact, the deepest first or last. Boxes are then mirrored
+/// to 0.1 mm, but heaps settle worse: an overlap of 30 mm in the scene `primitives` that is below 10 mm now.
 pub(super) fn set_contacts(manifold: &mut ContactManifold, points: &[RawPoint]) {
     manifold.data.points.clear();
     manifold.data.points.extend(points.iter().map(|point| {

@@ -174,7 +174,8 @@ impl Step<'_> {
         };
         let find = || ccd::first_impact_time(self.tasks, context, *gravity, scratch);
         if let Some(time) = self.counters.stages.ccd_time.measure(find) {
-            ccd::share_targets(bodies, islands, params, time / params.dt, &mut notes.targets);
+            let (bodies, fraction) = (Frozen::new(&mut **bodies), time / params.dt);
+            ccd::share_targets(bodies, islands, params, fraction, &mut notes.targets);
             self.time_left = params.dt - time;
             params.dt = time;
         }

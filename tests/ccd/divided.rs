@@ -34,9 +34,9 @@ fn reflected(way: Real, width: Real) -> Real {
     way.min(2.0 * width - way)
 }
 
-/// A ball bounces off a wall that it reaches after any fraction of a step: `x = w - |v t - w|`. With undivided
-/// steps it loses the rest of the step. A ball that ends with less than half its thickness in the wall has no
-/// impact in this step.
+/// A ball bounces off a wall that it reaches after any fraction of a step: `x = w - |v t - w|`. With
+/// undivided steps it loses the rest of the step. A ball that ends with less than half its thickness in the
+/// wall has no impact in this step.
 #[test]
 fn a_bounce_takes_no_time() {
     for speed in [20.0, 200.0, 1000.0] {

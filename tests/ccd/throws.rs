@@ -107,7 +107,9 @@ fn longest_hold(
     seed: u64,
 ) -> usize {
     let mut random = Random(0x9e37_79b9_7f4a_7c15 ^ ((seed + 1) * 0x0765_4321));
-    (0..20).for_each(|_| drop(random.next()));
+    for _ in 0..20 {
+        random.next();
+    }
     let mut world = PhysicsWorld::new();
     lay(&mut world, Pose::IDENTITY, 0.5);
     let speed = 125.0 + 75.0 * random.next();
@@ -153,7 +155,8 @@ fn count_held(seeds: u64, rate_max: f64) {
     table.require(held as f64 <= rate_max * thrown as f64, &format!("{held} of {thrown} hang"));
 }
 
-/// Largest rate of hanging bodies, as stated in `docs/guide/fast-bodies.md`: tips that are jammed in the ground.
+/// Largest rate of hanging bodies, as stated in `docs/guide/fast-bodies.md`: tips that are jammed in the
+/// ground.
 const HELD_RATE_MAX: f64 = 0.02;
 
 #[test]

@@ -1,8 +1,8 @@
 //! Steps that end at an impact.
 //!
-//! A stopped body loses the rest of its step. With `max_ccd_substeps = n`, the first impact of a fast body ends
-//! the step instead, at most `n - 1` times, and a shorter step solves the contact and takes the time that is
-//! left. The impact is predicted before the solver runs, from the velocities:
+//! A stopped body loses the rest of its step. With `max_ccd_substeps = n`, the first impact of a fast body
+//! ends the step instead, at most `n - 1` times, and a shorter step solves the contact and takes the time
+//! that is left. The impact is predicted before the solver runs, from the velocities:
 //!
 //! ```text
 //! Δx = (v + a dt / 2) dt        θ = ω dt
@@ -12,8 +12,8 @@
 //! that arrives later has its contact in the next part. It excludes links of multibodies, and it regards
 //! kinematic bodies as being at rest.
 //!
-//! A body that touches the collider already hits it in this step, and leaves with a velocity that is not known
-//! before the solver runs. The part then takes `min_ccd_dt`.
+//! A body that touches the collider already hits it in this step, and leaves with a velocity that is not
+//! known before the solver runs. The part then takes `min_ccd_dt`.
 //!
 //! Rejected alternative: the solver runs first, and all bodies return to the time of the first impact. Bodies
 //! in free fall would keep the velocity of the whole step, and each impact would add energy to the world.
@@ -24,6 +24,7 @@ use crate::base::tasks::Tasks;
 use crate::collide::Sweep;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
+use crate::model::frozen::Frozen;
 use crate::model::island::{BodyMotion, IslandManager};
 use crate::model::params::IntegrationParameters;
 use crate::step::notes::{FastMotion, MotionPart};
@@ -87,7 +88,7 @@ fn predict(
     let rotvec = body.vels.angvel * dt;
     let bound = BodyMotion::of(shift, rotvec, body.extent).bound();
     let is_link = || context.multibodies.rigid_body_link(handle).is_some();
-    (FastMotion::moves_far(body, bound, context.params) && !is_link()).then(|| FastMotion {
+    let predicted = FastMotion {
         body: handle,
         start: body.pose,
         center: body.mprops.world_com,
@@ -96,13 +97,14 @@ fn predict(
         acceleration,
         link: None,
         part: MotionPart::Whole,
-    })
+    };
+    (FastMotion::moves_far(body, bound, context.params) && !is_link()).then_some(predicted)
 }
 
 /// Moves the targets of position-based kinematic bodies to where they are after a fraction of the step. Adds
 /// the targets so far to `targets`.
 pub(crate) fn share_targets(
-    bodies: &mut RigidBodySet,
+    mut bodies: Frozen<'_, RigidBodySet>,
     islands: &IslandManager,
     params: &IntegrationParameters,
     fraction: Real,

@@ -45,7 +45,7 @@ mod link_trajectories;
 
 use crate::base::tasks::Tasks;
 use crate::dim::math::{Real, ang_length_squared};
-use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::ColliderSet;
 use crate::model::contact::NarrowPhase;
 use crate::model::counters::CCDCounters;
@@ -108,6 +108,14 @@ impl CcdScratch {
         self.deeply_penetrating.clear();
         self.crossings.clear();
         *self.searched.get_mut() = 0;
+    }
+
+    /// Returns whether bodies stop in the step, and ride after their stops.
+    fn has_usable_stops(&self) -> bool {
+        let is_fraction = |fraction: Real| (0.0..=1.0).contains(&fraction);
+        let mut rides = self.rides.iter();
+        self.toi_fractions.iter().all(|&stop| is_fraction(stop))
+            && rides.all(|(at, ride)| is_fraction(ride.end) && ride.end >= self.toi_fractions[at])
     }
 
     /// Stops bodies where their own paths were stopped if a hook panicked before anything else was known.
@@ -318,47 +326,23 @@ pub(crate) fn stop(
     counters: &mut CCDCounters,
 ) {
     scratch.complete();
-    let is_fraction = |fraction: Real| (0.0..=1.0).contains(&fraction);
-    debug_assert_eq!(
-        scratch.toi_fractions.len(),
-        context.fast.len(),
-        "every fast body was searched"
-    );
-    debug_assert!(
-        scratch.toi_fractions.iter().all(|&stop| is_fraction(stop)),
-        "a body stops in the step"
-    );
-    debug_assert!(
-        scratch
-            .rides
-            .iter()
-            .all(|(at, ride)| is_fraction(ride.end) && ride.end >= scratch.toi_fractions[at]),
-        "a ride follows a stop"
-    );
+    debug_assert_eq!(scratch.toi_fractions.len(), context.fast.len(), "all paths were searched");
+    debug_assert!(scratch.has_usable_stops());
     let StopContext { bodies, islands, fast, dt, .. } = &mut context;
     counters.num_fast_bodies += fast.len();
     counters.num_searches += scratch.searched.load(Ordering::Relaxed);
-    let stopped = fast.iter().zip(&scratch.toi_fractions);
-    let is_stopped =
-        |motion: &FastMotion, fraction| fraction < 1.0 || motion.part != MotionPart::Whole;
-    let stopped = stopped.filter(|&(motion, &fraction)| is_stopped(motion, fraction));
-    for (motion, &fraction) in stopped {
+    let stops = fast.iter().zip(&scratch.toi_fractions);
+    let is_stopped = |motion: &FastMotion, stop| stop < 1.0 || motion.part != MotionPart::Whole;
+    for (motion, &stop) in stops.filter(|&(motion, &stop)| is_stopped(motion, stop)) {
         let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
         counters.num_substeps += 1;
         if motion.link.is_none() {
-            let there = sweep_of(motion, motion.start, fraction).at(fraction);
-            let executed = |left_out| if motion.part == left_out { 0.0 } else { fraction };
-            let (translation, rotation) =
-                (executed(MotionPart::Rotation), executed(MotionPart::Translation));
-            body.vels.angvel = body.angvel_at(there.rotation, (rotation - 1.0) * *dt);
-            body.pose = there;
-            body.vels.linvel = motion.velocity_before(1.0 - translation, body.vels.linvel);
-            body.update_world_mass_properties();
+            put_at_stop(body, motion, stop, *dt);
             if !body.ccd_active {
                 // The bound of the whole motion of a fast body is noted already.
                 let displacement = body.mprops.world_com - motion.center;
-                let moved =
-                    BodyMotion::of(displacement, motion.path_rotvec() * fraction, body.extent);
+                let rotvec = motion.path_rotvec() * stop;
+                let moved = BodyMotion::of(displacement, rotvec, body.extent);
                 islands.set_motion(motion.body.into_raw_parts().0, moved);
             }
         }
@@ -379,4 +363,16 @@ pub(crate) fn stop(
         counters.num_sensors_passed += 1;
         events.extend(crossing.events());
     }
+}
+
+/// Gives a body the pose and the velocity that it has after a fraction of its path.
+fn put_at_stop(body: &mut RigidBody, motion: &FastMotion, stop: Real, dt: Real) {
+    let executed = |left_out| if motion.part == left_out { 0.0 } else { stop };
+    let translation = executed(MotionPart::Rotation);
+    let rotation = executed(MotionPart::Translation);
+    let there = sweep_of(motion, motion.start, stop).at(stop);
+    body.vels.angvel = body.angvel_at(there.rotation, (rotation - 1.0) * dt);
+    body.pose = there;
+    body.vels.linvel = motion.velocity_before(1.0 - translation, body.vels.linvel);
+    body.update_world_mass_properties();
 }
