@@ -120,7 +120,7 @@ export class IntegrationParameters {
         this.set(Parameter.additionalFrictionIterations, "numAdditionalFrictionIterations", value);
     }
 
-    /** The largest number of substeps of continuous collision detection. */
+    /** The largest number of parts into which impacts of fast bodies divide a step (default 1). 0 switches continuous collision detection off. */
     get maxCcdSubsteps(): number {
         return this.get(Parameter.ccdSubsteps);
     }

@@ -364,7 +364,7 @@ export class World extends Owner {
         this.integrationParameters.numAdditionalFrictionIterations = niter;
     }
 
-    /** The largest number of substeps of continuous collision detection. */
+    /** The largest number of parts into which impacts of fast bodies divide a step (default 1). 0 switches continuous collision detection off. */
     get maxCcdSubsteps(): number {
         return this.integrationParameters.maxCcdSubsteps;
     }
