@@ -1,7 +1,7 @@
 //! Thin bodies of every shape tumble on thin grounds of every kind, at oblique angles.
 
 use crate::dim::thin::{THIN_GROUNDS, random_turn, sideways, thin_shapes};
-use crate::dim::vec;
+use crate::dim::{about_z, vec};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
@@ -169,4 +169,22 @@ fn few_thin_bodies_hang_in_the_air() {
 #[ignore = "takes half a minute"]
 fn few_thin_bodies_hang_in_the_air_in_many_throws() {
     count_held(40, HELD_RATE_MAX);
+}
+
+/// A ball that spins arrives at a wall that is nearer than a hundredth of its way in a step.
+#[test]
+fn spinning_balls_arrive_at_walls() {
+    for distance in [0.03, 0.05, 0.06] {
+        for spin in [30.0, 100.0, 1000.0] {
+            let mut world = PhysicsWorld::new();
+            world.gravity = Vector::ZERO;
+            world.insert_collider(super::wall(), None);
+            let body = RigidBodyBuilder::dynamic().linvel(vec(400.0, 0.0)).angvel(about_z(spin));
+            let body = body.translation(vec(-0.01 - 0.12 - distance, 0.0));
+            let (ball, _) = world.insert(body, ColliderBuilder::ball(0.12));
+            (0..3).for_each(|_| world.step());
+            let speed = world.bodies[ball].linvel().x;
+            assert!(speed < 40.0, "{distance} m off, {spin} rad/s: {speed} m/s after three steps");
+        }
+    }
 }

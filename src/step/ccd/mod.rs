@@ -245,16 +245,21 @@ fn first_stop(search: Search<'_>, position: usize) -> Stop {
 /// * Rotation alone, for paths that are blocked at once: 398 of 3,640 thin bodies hang for more than four
 ///   steps. With both parts, 45 do (`tests/ccd/throws.rs`).
 fn unblock(context: CcdContext<'_>, fast: &mut [FastMotion], scratch: &mut CcdScratch) {
+    // What stops nearer than that has a contact already.
+    let near = context.params.prediction_distance();
     for position in 0..fast.len() {
-        let stop = scratch.first[position].fraction;
-        if stop <= BLOCKED_FRACTION && rotates_alone(context, &fast[position]) {
-            let body = context.bodies.get(fast[position].body);
-            match body.is_some_and(|body| body.thickness > 0.0) {
-                true => take_longest_part(PARTS, context, fast, position, scratch),
-                // No middle of a surface is kept from passing: each part is one more chance to pass.
-                false if stop > 0.0 => {}
-                false => take_longest_part(&PARTS[..1], context, fast, position, scratch),
+        let (motion, stop) = (&fast[position], scratch.first[position].fraction);
+        if stop > BLOCKED_FRACTION || !rotates_alone(context, motion) {
+            continue;
+        }
+        let Some(body) = context.bodies.get(motion.body) else { continue };
+        if body.thickness > 0.0 {
+            if stop * motion.path_length(body.extent) <= near {
+                take_longest_part(PARTS, context, fast, position, scratch);
             }
+        } else if stop == 0.0 {
+            // No middle of a surface is kept from passing: each part is one more chance to pass.
+            take_longest_part(&PARTS[..1], context, fast, position, scratch);
         }
     }
 }
