@@ -77,12 +77,12 @@ impl FastMotion {
     /// Returns whether a body that moved by at most `bound` may have passed through something.
     pub fn moves_far(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
         let is_solid = body.thickness > 0.0;
-        bound
-            > if is_solid {
-                MOTION_FRACTION_MAX * body.thickness
-            } else {
-                params.prediction_distance()
-            }
+        let little = if is_solid {
+            MOTION_FRACTION_MAX * body.thickness
+        } else {
+            params.prediction_distance()
+        };
+        bound > little
     }
 
     /// Velocity when a fraction of the motion was left, for a velocity of `end` at the end. It excludes the

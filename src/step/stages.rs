@@ -153,28 +153,17 @@ impl Step<'_> {
 
     /// Ends the step at the first impact of a fast body, unless an earlier attempt did.
     pub(super) fn divide(&mut self) {
-        let World { structure, broad_phase: trees, multibodies, params, hooks, gravity, .. } =
-            &mut self.world;
-        let StepScratch { ccd: scratch, notes, .. } = self.scratch;
-        if self.time_left > 0.0 || params.dt <= 0.0 {
+        if self.time_left > 0.0 || self.world.params.dt <= 0.0 {
             return;
         }
-        let Structure { bodies, colliders, narrow_phase, islands } = structure;
-        let context = CcdContext {
-            bodies,
-            colliders,
-            multibodies,
-            islands,
-            trees,
-            narrow_phase,
-            params,
-            hooks: *hooks,
-            fast: &[],
-            trajectories: &[],
-        };
-        let find = || ccd::first_impact_time(self.tasks, context, *gravity, scratch);
+        let StepScratch { ccd: scratch, notes, .. } = self.scratch;
+        let (context, gravity) = (ccd_context(&self.world), self.world.gravity);
+        let find = || ccd::first_impact_time(self.tasks, context, gravity, scratch);
         if let Some(time) = self.counters.stages.ccd_time.measure(find) {
-            let (bodies, fraction) = (Frozen::new(&mut **bodies), time / params.dt);
+            let World { structure: Structure { bodies, islands, .. }, params, .. } =
+                &mut self.world;
+            let fraction = time / params.dt;
+            let bodies = Frozen::new(&mut **bodies);
             ccd::share_targets(bodies, islands, params, fraction, &mut notes.targets);
             self.time_left = params.dt - time;
             params.dt = time;
@@ -242,39 +231,25 @@ impl Step<'_> {
     /// Stops fast bodies at their first impact. Bodies have moved: even if a hook panics, the rest of the
     /// world must follow them.
     pub(super) fn ccd(&mut self) {
-        let World { structure, broad_phase: trees, multibodies, params, hooks, .. } =
-            &mut self.world;
-        let Structure { bodies, colliders, narrow_phase, islands } = structure;
         let StepScratch { ccd: scratch, notes, .. } = self.scratch;
         let StepNotes { fast, trajectories, approaches, events, .. } = notes;
         let Counters { stages, ccd: counters, .. } = self.counters;
         stages.ccd_time.measure(|| {
-            let context = CcdContext {
-                bodies,
-                colliders,
-                multibodies,
-                islands,
-                trees,
-                narrow_phase,
-                params,
-                hooks: *hooks,
-                fast: &[],
-                trajectories,
-            };
+            let context = CcdContext { trajectories, ..ccd_context(&self.world) };
             counters.toi_computation_time.measure(|| {
                 self.panic.hold(|| {
                     ccd::add_approached(context, approaches, fast);
                     ccd::find_impacts(self.tasks, context, fast, scratch);
                 })
             });
-            let dt = params.dt;
+            let World { structure, multibodies, params, .. } = &mut self.world;
             let context = StopContext {
-                bodies: Frozen::new(bodies),
-                islands: Frozen::new(islands),
+                bodies: Frozen::new(structure.bodies),
+                islands: Frozen::new(structure.islands),
                 multibodies: Frozen::new(multibodies),
                 fast,
                 trajectories,
-                dt,
+                dt: params.dt,
             };
             ccd::stop(context, scratch, events, counters);
         });
@@ -350,5 +325,23 @@ impl Step<'_> {
         if cfg!(debug_assertions) {
             self.world.structure.validate(self.world.multibodies);
         }
+    }
+}
+
+/// The context of a search without fast bodies.
+fn ccd_context<'a>(world: &'a World<'_>) -> CcdContext<'a> {
+    let World { structure, broad_phase: trees, multibodies, params, hooks, .. } = world;
+    let Structure { bodies, colliders, narrow_phase, islands } = structure;
+    CcdContext {
+        bodies,
+        colliders,
+        multibodies,
+        islands,
+        trees,
+        narrow_phase,
+        params,
+        hooks: *hooks,
+        fast: &[],
+        trajectories: &[],
     }
 }

@@ -14,6 +14,15 @@ const SIDE_MAX: Real = 9.0;
 struct Random(u64);
 
 impl Random {
+    /// The numbers of a seed. The first ones of similar seeds are similar.
+    fn new(seed: u64) -> Self {
+        let mut random = Self(0x9e37_79b9_7f4a_7c15 ^ seed);
+        for _ in 0..20 {
+            random.next();
+        }
+        random
+    }
+
     fn next(&mut self) -> Real {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -33,10 +42,7 @@ fn passes(
     [slow, fast]: [Real; 2],
     seed: u64,
 ) -> bool {
-    let mut random = Random(0x9e37_79b9_7f4a_7c15 ^ ((seed + 1) * 0x1234_5677));
-    for _ in 0..20 {
-        random.next();
-    }
+    let mut random = Random::new((seed + 1) * 0x1234_5677);
     let mut world = PhysicsWorld::new();
     lay(&mut world, Pose::IDENTITY, 0.5);
     let share = 0.5 + 0.5 * random.next();
@@ -106,10 +112,7 @@ fn longest_hold(
     shape: &ColliderBuilder,
     seed: u64,
 ) -> usize {
-    let mut random = Random(0x9e37_79b9_7f4a_7c15 ^ ((seed + 1) * 0x0765_4321));
-    for _ in 0..20 {
-        random.next();
-    }
+    let mut random = Random::new((seed + 1) * 0x0765_4321);
     let mut world = PhysicsWorld::new();
     lay(&mut world, Pose::IDENTITY, 0.5);
     let speed = 125.0 + 75.0 * random.next();

@@ -355,7 +355,7 @@ impl Multibody {
             axes.map(|axis| Dof { link: link.id, axis })
         });
         ensure!(free_axes.eq(self.dofs.iter().copied()), "{:?} are not the free axes", self.dofs);
-        let lengths = self.lists.lengths();
+        let lengths = self.lists.all().map(Vec::len);
         ensure!(lengths == [self.ndofs(); _], "{} degrees of freedom: {lengths:?}", self.ndofs());
         Ok(())
     }
@@ -416,8 +416,7 @@ impl Loaded for Multibody {
             ensure!(unknown == 0, "link {} is free along {:?}", link.id, link.free);
             ensure!(link.is_sound(), "link {} has invalid numbers: {link:?}", link.id);
         }
-        let mut lists = self.lists.clone();
-        let wrong = lists.all().into_iter().flatten().find(|number| !number.is_finite());
+        let wrong = self.lists.all().into_iter().flatten().find(|number| !number.is_finite());
         ensure!(wrong.is_none(), "a number of a degree of freedom is {wrong:?}");
         let unsound = self.couplings.iter().find(|coupling| !coupling.is_sound(self.links.len()));
         ensure!(unsound.is_none(), "{unsound:?} of {} links", self.links.len());
@@ -433,9 +432,9 @@ impl MultibodyLink {
 }
 
 impl DofLists {
-    fn all(&mut self) -> [&mut Vec<Real>; 7] {
-        let Self { velocities, body_velocities, .. } = self;
-        let Self { accelerations, damping, armature, frictions, friction_impulses, .. } = self;
+    fn all(&self) -> [&Vec<Real>; 7] {
+        let Self { velocities, body_velocities, accelerations, damping, .. } = self;
+        let Self { armature, frictions, friction_impulses, .. } = self;
         [
             velocities,
             body_velocities,
@@ -447,9 +446,9 @@ impl DofLists {
         ]
     }
 
-    fn lengths(&self) -> [usize; 7] {
-        let Self { velocities, body_velocities, accelerations, .. } = self;
-        let Self { damping, armature, frictions, friction_impulses, .. } = self;
+    fn all_mut(&mut self) -> [&mut Vec<Real>; 7] {
+        let Self { velocities, body_velocities, accelerations, damping, .. } = self;
+        let Self { armature, frictions, friction_impulses, .. } = self;
         [
             velocities,
             body_velocities,
@@ -459,7 +458,6 @@ impl DofLists {
             frictions,
             friction_impulses,
         ]
-        .map(Vec::len)
     }
 
     /// Stores the velocities that the bodies get.
@@ -471,7 +469,7 @@ impl DofLists {
     }
 
     fn extend(&mut self, mut other: Self) {
-        for (list, more) in self.all().into_iter().zip(other.all()) {
+        for (list, more) in self.all_mut().into_iter().zip(other.all_mut()) {
             list.append(more);
         }
     }
@@ -479,7 +477,7 @@ impl DofLists {
     fn rearrange(&mut self, old: &[Dof], new: &[Dof]) {
         let key = |dof: &Dof| (dof.link, dof.axis as u8);
         debug_assert!(old.is_sorted_by_key(key) && new.is_sorted_by_key(key));
-        for list in self.all() {
+        for list in self.all_mut() {
             let mut known = old.iter().zip(list.iter()).peekable();
             let moved = new.iter().map(|dof| {
                 while known.next_if(|(other, _)| key(other) < key(dof)).is_some() {}
@@ -490,9 +488,9 @@ impl DofLists {
     }
 
     /// The numbers of some degrees of freedom.
-    pub(super) fn select(&mut self, kept: &[usize]) -> Self {
+    pub(super) fn select(&self, kept: &[usize]) -> Self {
         let mut selected = Self::default();
-        for (list, target) in self.all().into_iter().zip(selected.all()) {
+        for (list, target) in self.all().into_iter().zip(selected.all_mut()) {
             target.extend(kept.iter().map(|&at| list[at]));
         }
         selected
