@@ -12,7 +12,7 @@ impl Multibody {
     /// Joints that stay keep their coordinates and velocities, and couplings whose two joints stay in one
     /// part are kept. Roots move on as their bodies did.
     pub(super) fn split(self, is_cut: impl Fn(&MultibodyLink) -> bool) -> Vec<Self> {
-        let Self { links, dofs, mut lists, couplings, .. } = self;
+        let Self { links, dofs, lists, couplings, .. } = self;
         let mut parts: Vec<Self> = Vec::new();
         // By link: its part, and its position there.
         let mut places: Vec<(usize, usize)> = Vec::with_capacity(links.len());
